@@ -1,0 +1,27 @@
+using System.Collections.Generic;
+
+namespace UnityEngine.TestTools.Utils
+{
+    /// <summary>Vectors are equal when each component is, within an error that is relative above 1.</summary>
+    public class Vector4EqualityComparer : IEqualityComparer<Vector4>
+    {
+        const float k_DefaultError = 0.0001f;
+
+        readonly float m_AllowedError;
+
+        Vector4EqualityComparer() : this(k_DefaultError)
+        {
+        }
+
+        public Vector4EqualityComparer(float allowedError) => m_AllowedError = allowedError;
+
+        /// <summary>The comparer with the default error, 0.0001.</summary>
+        public static Vector4EqualityComparer Instance { get; } = new();
+
+        public bool Equals(Vector4 expected, Vector4 actual) => Utils.AreFloatsEqual(expected.x, actual.x, m_AllowedError) &&
+            Utils.AreFloatsEqual(expected.y, actual.y, m_AllowedError) && Utils.AreFloatsEqual(expected.z, actual.z, m_AllowedError) &&
+            Utils.AreFloatsEqual(expected.w, actual.w, m_AllowedError);
+
+        public int GetHashCode(Vector4 vec4) => 0;
+    }
+}

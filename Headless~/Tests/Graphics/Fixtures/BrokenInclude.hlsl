@@ -1,0 +1,6 @@
+#ifdef MISSPELT
+uint Twice(uint value)
+{
+    return valu * 2u;
+}
+#endif

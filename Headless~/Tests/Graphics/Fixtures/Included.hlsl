@@ -1,0 +1,9 @@
+#ifndef INCLUDED
+#define INCLUDED
+
+uint Included()
+{
+    return 5u;
+}
+
+#endif

@@ -1,0 +1,54 @@
+using System;
+using AnatomyCarve.Volumes;
+
+namespace AnatomyCarve.Carving
+{
+    /// <summary>
+    /// A transfer function as the kernels apply it to a volume's stored intensities: a table of <see cref="OpacityTransferFunction.LookupSize"/> opacities,
+    /// linear in between, at the place saturate(stored * <see cref="Scale"/> + <see cref="Offset"/>) * <see cref="LastEntry"/>, where stored is
+    /// code / 65535. All in float, each operation rounded by itself.
+    /// </summary>
+    public sealed class OpacityLookup
+    {
+        /// <summary>The table's last entry.</summary>
+        public const int LastEntry = OpacityTransferFunction.LookupSize - 1;
+
+        readonly float[] table;
+
+        /// <summary>Prepares a transfer function for a volume.</summary>
+        /// <exception cref="ArgumentNullException">An argument is null.</exception>
+        public OpacityLookup(OpacityTransferFunction transferFunction, IntensityVolume volume)
+        {
+            if (transferFunction == null)
+                throw new ArgumentNullException(nameof(transferFunction));
+            if (volume == null)
+                throw new ArgumentNullException(nameof(volume));
+            table = transferFunction.Lookup();
+            double range = transferFunction.LookupMax - transferFunction.LookupMin;
+            if (range > 0)
+            {
+                Scale = (float)(volume.CodeScale * ushort.MaxValue / range);
+                Offset = (float)((volume.CodeOffset - transferFunction.LookupMin) / range);
+            }
+        }
+
+        /// <summary>The factor for a stored intensity of 0 to 1; 0 where the function is constant.</summary>
+        public float Scale { get; }
+
+        /// <summary>What is added to the scaled intensity; 0 where the function is constant.</summary>
+        public float Offset { get; }
+
+        /// <summary>The opacity, 0 to 1, per reference length, of an intensity code.</summary>
+        public float OpacityOf(ushort code)
+        {
+            float stored = (float)(code / (float)ushort.MaxValue);
+            float share = (float)((float)(stored * Scale) + Offset);
+            share = share > 0 ? Math.Min(share, 1f) : 0f;
+            float place = (float)(share * LastEntry);
+            int entry = Math.Min((int)place, LastEntry - 1);
+            float below = table[entry];
+            float above = table[entry + 1];
+            return (float)(below + (float)((float)(above - below) * (float)(place - entry)));
+        }
+    }
+}

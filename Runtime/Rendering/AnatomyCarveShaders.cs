@@ -1,0 +1,41 @@
+using UnityEngine;
+
+namespace AnatomyCarve
+{
+    /// <summary>
+    /// The package's kernels. One asset of this type lies in a Resources folder of the package and refers to them, so that a player build
+    /// holds them and a component that was added at run time finds them without any wiring.
+    /// </summary>
+    public sealed class AnatomyCarveShaders : ScriptableObject
+    {
+        const string ResourceName = "AnatomyCarveShaders";
+
+        [SerializeField, Tooltip("Eq. 1 and the transfer function: which opacity a voxel has")]
+        private ComputeShader clipVoxels = null;
+
+        [SerializeField, Tooltip("3D FXAA of the opacity")]
+        private ComputeShader antiAlias = null;
+
+        [SerializeField, Tooltip("Normals from the anti-aliased opacity")]
+        private ComputeShader sobelNormals = null;
+
+        [SerializeField, Tooltip("Direct volume rendering into colour, depth and first visible segment")]
+        private ComputeShader raymarch = null;
+
+        /// <summary>Kernel <c>ClipVoxels</c>: Eq. 1 and the opacity transfer function.</summary>
+        public ComputeShader ClipVoxels => clipVoxels;
+
+        /// <summary>Kernel <c>AntiAlias</c>: 3D FXAA of the opacity.</summary>
+        public ComputeShader AntiAlias => antiAlias;
+
+        /// <summary>Kernel <c>SobelNormals</c>: normals from the anti-aliased opacity.</summary>
+        public ComputeShader SobelNormals => sobelNormals;
+
+        /// <summary>Kernel <c>Raymarch</c>: the picture.</summary>
+        public ComputeShader Raymarch => raymarch;
+
+        /// <summary>Loads the package's asset.</summary>
+        /// <returns>The asset; null where it is not part of the build.</returns>
+        public static AnatomyCarveShaders Load() => Resources.Load<AnatomyCarveShaders>(ResourceName);
+    }
+}

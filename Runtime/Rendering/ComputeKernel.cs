@@ -1,0 +1,46 @@
+using System;
+using AnatomyCarve.Volumes;
+using UnityEngine;
+
+namespace AnatomyCarve
+{
+    /// <summary>A kernel, found once, and its dispatch over a list of bricks.</summary>
+    readonly struct ComputeKernel
+    {
+        /// <summary>The most groups that a dispatch may have along one axis, on every graphics API.</summary>
+        public const int MaxGroupsPerAxis = 65535;
+
+        readonly int index;
+
+        /// <exception cref="AnatomyCarveException">The shader is missing, or the device cannot run its kernel.</exception>
+        public ComputeKernel(ComputeShader shader, string name)
+        {
+            if (shader == null)
+                throw new AnatomyCarveException($"The compute shader {name} is missing in AnatomyCarveShaders.asset: reimport the package.");
+            if (!shader.HasKernel(name))
+                throw new AnatomyCarveException($"The compute shader {name} has no kernel {name} on {SystemInfo.graphicsDeviceType}.");
+            Shader = shader;
+            index = shader.FindKernel(name);
+            if (!shader.IsSupported(index))
+                throw new AnatomyCarveException($"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) cannot run the kernel {name}.");
+        }
+
+        public ComputeShader Shader { get; }
+
+        public void SetTexture(int id, Texture texture) => Shader.SetTexture(index, id, texture);
+
+        public void SetBuffer(int id, GraphicsBuffer buffer) => Shader.SetBuffer(index, id, buffer);
+
+        public void Dispatch(int groupsX, int groupsY) => Shader.Dispatch(index, groupsX, groupsY, 1);
+
+        /// <summary>How a dispatch over a number of bricks is split into rows, so that no axis has more groups than allowed.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">More bricks than rows of groups can hold.</exception>
+        public static (int perRow, int rows) SplitGroups(int bricks)
+        {
+            if (bricks < 1)
+                throw new ArgumentOutOfRangeException(nameof(bricks), bricks, "A dispatch needs 1 brick at least.");
+            int rows = (int)(((long)bricks + MaxGroupsPerAxis - 1) / MaxGroupsPerAxis);
+            return ((int)(((long)bricks + rows - 1) / rows), rows);
+        }
+    }
+}

@@ -1,0 +1,95 @@
+using System;
+using UnityEngine;
+
+namespace AnatomyCarve
+{
+    /// <summary>The light that volumes are shaded with (Blinn-Phong). It follows the viewer: directions are those of the picture.</summary>
+    [Serializable]
+    public sealed class LightSettings
+    {
+        [SerializeField, Tooltip("Where the light comes from: x right, y up, z towards the viewer")]
+        private Vector3 direction = new Vector3(-0.3f, 0.4f, 1f);
+
+        [SerializeField, Tooltip("The light's colour")]
+        private Color color = Color.white;
+
+        [SerializeField, Range(0f, 1f), Tooltip("Light that comes from everywhere")]
+        private float ambient = 0.25f;
+
+        [SerializeField, Range(0f, 1f), Tooltip("Light that a surface scatters")]
+        private float diffuse = 0.75f;
+
+        [SerializeField, Range(0f, 1f), Tooltip("Light that a surface reflects")]
+        private float specular = 0.2f;
+
+        [SerializeField, Range(1f, 256f), Tooltip("How sharp the reflection is")]
+        private float shininess = 24f;
+
+        /// <summary>Where the light comes from, as seen in the picture: x right, y up, z towards the viewer. Any length but 0.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">The direction is zero or not finite.</exception>
+        public Vector3 Direction
+        {
+            get => direction;
+            set
+            {
+                float length = value.magnitude;
+                if (!(length > 0f && length < float.PositiveInfinity))
+                    throw new ArgumentOutOfRangeException(nameof(Direction), value, "A light's direction is finite and not zero.");
+                direction = value;
+            }
+        }
+
+        /// <summary>The light's colour, sRGB as in all of Unity's colour fields.</summary>
+        public Color Color
+        {
+            get => color;
+            set => color = value;
+        }
+
+        /// <summary>Light that comes from everywhere, 0 to 1.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">The value lies outside.</exception>
+        public float Ambient
+        {
+            get => ambient;
+            set => ambient = Checked(value, 0f, 1f, nameof(Ambient));
+        }
+
+        /// <summary>Light that a surface scatters, 0 to 1.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">The value lies outside.</exception>
+        public float Diffuse
+        {
+            get => diffuse;
+            set => diffuse = Checked(value, 0f, 1f, nameof(Diffuse));
+        }
+
+        /// <summary>Light that a surface reflects, 0 to 1.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">The value lies outside.</exception>
+        public float Specular
+        {
+            get => specular;
+            set => specular = Checked(value, 0f, 1f, nameof(Specular));
+        }
+
+        /// <summary>The reflection's exponent, 1 to 256.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">The value lies outside.</exception>
+        public float Shininess
+        {
+            get => shininess;
+            set => shininess = Checked(value, 1f, 256f, nameof(Shininess));
+        }
+
+        internal void Clamp()
+        {
+            if (!(direction.magnitude > 0f))
+                direction = Vector3.forward;
+            ambient = Mathf.Clamp01(ambient);
+            diffuse = Mathf.Clamp01(diffuse);
+            specular = Mathf.Clamp01(specular);
+            shininess = Mathf.Clamp(shininess, 1f, 256f);
+        }
+
+        static float Checked(float value, float min, float max, string name) => value >= min && value <= max
+            ? value
+            : throw new ArgumentOutOfRangeException(name, value, FormattableString.Invariant($"{name} is {min} to {max}."));
+    }
+}

@@ -1,0 +1,104 @@
+using System.Collections.Generic;
+
+namespace AnatomyCarve
+{
+    /// <summary>The work of one stage of the pipeline since the statistics were last reset.</summary>
+    public struct StageStatistics
+    {
+        /// <summary>How often the kernel was dispatched.</summary>
+        public int Dispatches { get; internal set; }
+
+        /// <summary>Bricks of 8 x 8 x 8 voxels that the kernel worked on; 0 for <c>Raymarch</c>.</summary>
+        public long Bricks { get; internal set; }
+
+        /// <summary>Voxels (pixels for <c>Raymarch</c>) that the kernel wrote.</summary>
+        public long Elements { get; internal set; }
+
+        internal void Add(int dispatches, long bricks, long elements)
+        {
+            Dispatches += dispatches;
+            Bricks += bricks;
+            Elements += elements;
+        }
+    }
+
+    /// <summary>A GPU resource and its size.</summary>
+    public readonly struct ResourceSize
+    {
+        internal ResourceSize(string name, long bytes)
+        {
+            Name = name;
+            Bytes = bytes;
+        }
+
+        /// <summary>The resource's name, as frame debuggers show it.</summary>
+        public string Name { get; }
+
+        /// <summary>Its size in bytes, without the driver's padding.</summary>
+        public long Bytes { get; }
+    }
+
+    /// <summary>What a <see cref="CarvedVolumeRenderer"/> has done: dispatches, bricks and elements by stage, samples, and what it holds on the GPU.</summary>
+    public sealed class RenderStatistics
+    {
+        internal StageStatistics clipVoxels;
+        internal StageStatistics antiAlias;
+        internal StageStatistics sobelNormals;
+        internal StageStatistics raymarch;
+        readonly List<ResourceSize> resources = new List<ResourceSize>();
+
+        internal RenderStatistics()
+        {
+        }
+
+        /// <summary>Work of the kernel <c>ClipVoxels</c>.</summary>
+        public StageStatistics ClipVoxels => clipVoxels;
+
+        /// <summary>Work of the kernel <c>AntiAlias</c>.</summary>
+        public StageStatistics AntiAlias => antiAlias;
+
+        /// <summary>Work of the kernel <c>SobelNormals</c>.</summary>
+        public StageStatistics SobelNormals => sobelNormals;
+
+        /// <summary>Work of the kernel <c>Raymarch</c>.</summary>
+        public StageStatistics Raymarch => raymarch;
+
+        /// <summary>Volume kernels dispatched (all but <c>Raymarch</c>). It stands still while nothing changes.</summary>
+        public int VolumeDispatches => clipVoxels.Dispatches + antiAlias.Dispatches + sobelNormals.Dispatches;
+
+        /// <summary>What the renderer holds on the GPU now, resource by resource. Each call lists anew, so do not ask every frame.</summary>
+        public IReadOnlyList<ResourceSize> Resources
+        {
+            get
+            {
+                resources.Clear();
+                Source?.AddSizes(resources);
+                return resources;
+            }
+        }
+
+        /// <summary>Sum of <see cref="Resources"/> in bytes.</summary>
+        public long BytesResident
+        {
+            get
+            {
+                long sum = 0;
+                foreach (ResourceSize resource in Resources)
+                    sum += resource.Bytes;
+                return sum;
+            }
+        }
+
+        /// <summary>Whose resources are listed; null = there are none.</summary>
+        internal VolumeGpu Source { get; set; }
+
+        /// <summary>Sets all counts to zero.</summary>
+        public void Reset()
+        {
+            clipVoxels = default;
+            antiAlias = default;
+            sobelNormals = default;
+            raymarch = default;
+        }
+    }
+}

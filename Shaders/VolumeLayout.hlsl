@@ -1,0 +1,55 @@
+#ifndef ANATOMYCARVE_VOLUME_LAYOUT_INCLUDED
+#define ANATOMYCARVE_VOLUME_LAYOUT_INCLUDED
+
+// Limits and memory layouts that the kernels share with C# (Runtime/Rendering); a test compares them. Only rows of 16 bytes,
+// because Direct3D and Vulkan pack anything smaller differently.
+//
+// Spaces. "Index": voxel (i, j, k) has its centre at (i, j, k); the volume fills [-0.5, dims - 0.5]. "Centred mm": LPS millimetres
+// relative to the volume's centre, p = M * (index - (dims - 1) / 2). M holds spacing, rotation and shear.
+
+#define BRICK_SIZE 8        // voxels per axis of a brick; a group of 8x8x1 threads works on one, each thread on a column along z
+#define GROUP_SIZE 8        // threads per axis of a group, x and y
+#define GROUP_THREADS 64
+#define SEGMENTS_PER_ROW 1024 // texels per row of _SegmentColors
+
+// One clip sphere; stride 32.
+struct SphereRow
+{
+    float4 centreRadius; // xyz: centre in centred mm; w: radius in mm (0: clips nothing)
+    uint4 mask;          // x: index of the mask's first word in _MaskWords; bit s of the mask = this sphere clips segment s
+};
+
+cbuffer CarvedVolume
+{
+    int4 _VolumeDims;          // xyz: voxels per axis; w: bricks in _Bricks
+    int4 _BrickGrid;           // xyz: bricks per axis; w: groups per row of the dispatch
+    float4 _IndexToMm0;        // xyz: row 0 of M, mm per voxel
+    float4 _IndexToMm1;
+    float4 _IndexToMm2;
+    float4 _MmToIndex0;        // xyz: row 0 of M's inverse, voxels per mm
+    float4 _MmToIndex1;
+    float4 _MmToIndex2;
+    float4 _CentreIndex;       // xyz: (dims - 1) / 2; w: reference length = the smallest spacing, mm
+    float4 _IntensityToLookup; // texel of the transfer function = saturate(stored * x + y) * z; z = texels - 1
+    int4 _CarveCounts;         // x: spheres; y: words per mask; z: segments; w: cut mode, 0 = binary, 1 = smooth
+    float4 _AntiAlias;         // x: absolute, y: relative contrast threshold; z: smallest gradient; w: strength, 0..1
+};
+
+// A ray of the picture: P(t) = origin + t * direction in centred mm; both are linear in x and y, in pixels (centre = integer + 0.5).
+cbuffer RaymarchView
+{
+    int4 _PictureSize;         // xy: pixels; z: 1 = _SceneDepth limits the rays
+    float4 _RayOrigin;         // xyz: at x = y = 0
+    float4 _RayOriginDx;       // xyz: change per pixel in x
+    float4 _RayOriginDy;
+    float4 _RayDirection;
+    float4 _RayDirectionDx;
+    float4 _RayDirectionDy;
+    float4 _RayRange;          // x: nearest, y: farthest t that is looked at
+    float4 _March;             // x: step in reference lengths; y: alpha at which a ray ends; z: alpha that makes a segment visible
+    float4 _LightDirection;    // xyz: unit vector towards the light, centred mm
+    float4 _LightColor;        // rgb: linear
+    float4 _Shading;           // x: ambient; y: diffuse; z: specular; w: shininess
+};
+
+#endif

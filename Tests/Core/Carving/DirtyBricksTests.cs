@@ -1,0 +1,156 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using AnatomyCarve.Carving;
+using AnatomyCarve.Volumes;
+using NUnit.Framework;
+
+namespace AnatomyCarve.Tests.Carving
+{
+    /// <summary>Dirty bricks never miss a voxel that an edit changes, and are few where few change.</summary>
+    public sealed class DirtyBricksTests
+    {
+        const int SegmentCount = 9;
+
+        [Test]
+        public void Between_RandomCarvings_HoldsEveryVoxelThatChanges()
+        {
+            var scenes = new RandomScenes(51);
+            int changed = 0, clean = 0;
+            for (int scene = 0; scene < 150; scene++)
+            {
+                SegmentedVolume volume = scenes.Volume(26, SegmentCount);
+                CutMode cut = scenes.Chance(0.5) ? CutMode.Binary : CutMode.Smooth;
+                List<ClipSphere> before = scenes.Spheres(volume.Geometry, SegmentCount, 4);
+                List<ClipSphere> after = Edited(scenes, volume.Geometry, before);
+                CarvedField old = Phantoms.Field(volume, cut, AntiAliasSettings.Default, before.ToArray());
+                CarvedField now = Phantoms.Field(volume, cut, AntiAliasSettings.Default, after.ToArray());
+                DirtyBricks opacity = DirtyBricks.Between(before, after, now.Bricks, now.Grid, cut, 0);
+                DirtyBricks antiAliased = DirtyBricks.Between(before, after, now.Bricks, now.Grid, cut, CarvingReach.AntiAliasVoxels);
+                Phantoms.Map(volume.Geometry, (i, j, k) =>
+                {
+                    int brick = now.Bricks.IndexOfVoxel(i, j, k);
+                    if (now.OpacityCode(i, j, k) != old.OpacityCode(i, j, k))
+                    {
+                        changed++;
+                        Assert.That(opacity[brick], $"scene {scene}, voxel {i} {j} {k}");
+                    }
+                    if (now.AntiAliasedCode(i, j, k) != old.AntiAliasedCode(i, j, k))
+                        Assert.That(antiAliased[brick], $"anti-aliased, scene {scene}, voxel {i} {j} {k}");
+                    return 0;
+                });
+                clean += now.Bricks.Count - opacity.Count;
+            }
+            Assert.That(changed, Is.GreaterThan(10000));
+            Assert.That(clean, Is.GreaterThan(150));
+        }
+
+        [Test]
+        public void Between_SameSpheresInAnotherOrder_IsNone()
+        {
+            var scenes = new RandomScenes(52);
+            VolumeGeometry geometry = scenes.Geometry(40);
+            List<ClipSphere> spheres = scenes.Spheres(geometry, SegmentCount, 20);
+            DirtyBricks dirty = DirtyBricks.Between(
+                spheres, scenes.Shuffled(spheres.Concat(spheres)), new BrickGrid(geometry), new CentredGrid(geometry), CutMode.Smooth, 2);
+            Assert.That(dirty.IsNone);
+        }
+
+        [TestCase(0, 4.0, 8)]
+        [TestCase(0, 2.0, 1)]
+        [TestCase(CarvingReach.NormalsVoxels, 2.0, 8)]
+        [TestCase(0, 5.0, 27)]
+        public void Of_SmallMove_IsTheBricksThatTheBoxOfBothPlacesMeets(int halo, double radius, int expected)
+        {
+            var geometry = new VolumeGeometry(64, 64, 64, Affine.Identity);
+            var stack = new CarvingStack(1);
+            stack.SetActive(new PointMm(11, 11, 11), radius);
+            CarvingChange last = default;
+            stack.Changed += change => last = change;
+
+            stack.SetActive(new PointMm(11.25, 11, 11), radius);
+
+            Assert.That(DirtyBricks.Of(last, new BrickGrid(geometry), new CentredGrid(geometry), CutMode.Binary, halo).Count, Is.EqualTo(expected));
+        }
+
+        [Test]
+        public void Of_SphereThatClipsNothing_IsNone()
+        {
+            var geometry = new VolumeGeometry(64, 64, 64, Affine.Identity);
+            var grid = new CentredGrid(geometry);
+            var bricks = new BrickGrid(geometry);
+            SegmentMask all = SegmentMask.All(1);
+            var none = Array.Empty<ClipSphere>();
+            foreach (ClipSphere idle in new[]
+            {
+                new ClipSphere(new PointMm(30, 30, 30), 0, all),
+                new ClipSphere(new PointMm(30, 30, 30), 9, SegmentMask.None(1)),
+                new ClipSphere(new PointMm(-30, 30, 30), 25, all),
+                new ClipSphere(new PointMm(30, 30, 1e9), 25, all),
+            })
+            {
+                Assert.That(DirtyBricks.Between(none, new[] { idle }, bricks, grid, CutMode.Smooth, 2).IsNone, idle.ToString());
+            }
+        }
+
+        [TestCase(1e6, 0.0)]
+        [TestCase(1e300, 0.0)]
+        [TestCase(1e300, 1e300)]
+        public void Of_SphereBeyondAllMeasure_IsAll(double radius, double place)
+        {
+            var geometry = new VolumeGeometry(20, 30, 40, Affine.Identity);
+            DirtyBricks dirty = DirtyBricks.Between(
+                Array.Empty<ClipSphere>(), new[] { new ClipSphere(new PointMm(place, 0, 0), radius, SegmentMask.All(1)) },
+                new BrickGrid(geometry), new CentredGrid(geometry), CutMode.Binary, 0);
+            Assert.That(dirty.IsAll);
+        }
+
+        [Test]
+        public void Union_OfTwo_HoldsBothAndPacksInOrder()
+        {
+            var geometry = new VolumeGeometry(24, 24, 24, Affine.Identity);
+            var grid = new CentredGrid(geometry);
+            var bricks = new BrickGrid(geometry);
+            DirtyBricks At(double place) => DirtyBricks.Between(
+                Array.Empty<ClipSphere>(), new[] { new ClipSphere(new PointMm(place, place, place), 1, SegmentMask.All(1)) }, bricks, grid, CutMode.Binary, 0);
+
+            DirtyBricks union = At(20).Union(At(4));
+
+            Assert.That(union.Pack(), Is.EqualTo(new[] { BrickGrid.Pack(0, 0, 0), BrickGrid.Pack(2, 2, 2) }));
+            Assert.That(union.Union(DirtyBricks.All(bricks)).Pack(), Is.EqualTo(bricks.PackAll()));
+            Assert.That(DirtyBricks.None(bricks).Union(union).Count, Is.EqualTo(2));
+        }
+
+        [Test]
+        public void BrickGrid_OddSizes_CountsPartialBricksAndPacksBothWays()
+        {
+            var bricks = new BrickGrid(17, 8, 1);
+            Assert.That(new[] { bricks.BricksX, bricks.BricksY, bricks.BricksZ, bricks.Count }, Is.EqualTo(new[] { 3, 1, 1, 3 }));
+            Assert.That(bricks.PackAll(), Is.EqualTo(new uint[] { 0, 1, 2 }));
+            BrickGrid.Unpack(BrickGrid.Pack(1023, 512, 7), out int x, out int y, out int z);
+            Assert.That(new[] { x, y, z }, Is.EqualTo(new[] { 1023, 512, 7 }));
+            Assert.That(() => new BrickGrid(8193, 1, 1), Throws.InstanceOf<ArgumentOutOfRangeException>());
+        }
+
+        static List<ClipSphere> Edited(RandomScenes scenes, VolumeGeometry geometry, List<ClipSphere> spheres)
+        {
+            var edited = new List<ClipSphere>(spheres);
+            if (edited.Count > 0 && scenes.Chance(0.7))
+            {
+                int index = scenes.Next(edited.Count);
+                ClipSphere sphere = edited[index];
+                if (scenes.Chance(0.3))
+                    edited.RemoveAt(index);
+                else if (scenes.Chance(0.3))
+                    edited[index] = sphere.WithMask(sphere.Mask.Toggled(scenes.Next(SegmentCount)));
+                else
+                    edited[index] = sphere.WithCenter(sphere.CentreLps + scenes.Between(0.1, 5) * scenes.Direction());
+            }
+            else
+            {
+                edited.Add(scenes.Sphere(geometry, SegmentCount));
+            }
+            return edited;
+        }
+    }
+}

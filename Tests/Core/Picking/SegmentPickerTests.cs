@@ -1,0 +1,262 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using AnatomyCarve.Carving;
+using AnatomyCarve.Picking;
+using AnatomyCarve.Tests.Carving;
+using AnatomyCarve.Volumes;
+using NUnit.Framework;
+
+namespace AnatomyCarve.Tests.Picking
+{
+    /// <summary>The pointer's walk against plain marches and against bodies whose surface is known.</summary>
+    public sealed class SegmentPickerTests
+    {
+        static readonly RaySettings Default = new RaySettings();
+
+        [Test]
+        public void Pick_RandomCarvedVolumes_IsThePlainMarchOverAllSamples()
+        {
+            var scenes = new RandomScenes(91);
+            int hits = 0, misses = 0;
+            for (int scene = 0; scene < 60; scene++)
+            {
+                const int SegmentCount = 5;
+                SegmentedVolume volume = Blobs(scenes, SegmentCount);
+                CutMode cut = scenes.Chance(0.5) ? CutMode.Smooth : CutMode.Binary;
+                CarvedField field = Phantoms.Field(volume, cut, AntiAliasSettings.Default, scenes.Spheres(volume.Geometry, SegmentCount, 3).ToArray());
+                for (int n = 0; n < 30; n++)
+                {
+                    RayMm ray = RayThrough(scenes, volume.Geometry);
+                    var settings = new RaySettings { StepReference = scenes.Between(0.2, 2), FirstVisibleAlpha = scenes.Between(0.1, 0.9) };
+                    SegmentHit expected = PlainMarch(field, ray, settings);
+                    SegmentHit actual = SegmentPicker.Pick(field, ray, settings);
+                    Assert.That(actual.Hit, Is.EqualTo(expected.Hit));
+                    Assert.That(actual.Segment, Is.EqualTo(expected.Segment));
+                    if (expected.Hit)
+                        Assert.That(actual.DistanceMm, Is.EqualTo(expected.DistanceMm).Within(1e-9 * (1 + expected.DistanceMm)));
+                    hits += expected.Hit ? 1 : 0;
+                    misses += expected.Hit ? 0 : 1;
+                }
+            }
+            TestContext.WriteLine(FormattableString.Invariant($"{hits} hits, {misses} misses"));
+            Assert.That(hits, Is.GreaterThan(400));
+            Assert.That(misses, Is.GreaterThan(100));
+        }
+
+        [Test]
+        public void Pick_OpaqueBall_HitsItsSurfaceFromAllSides()
+        {
+            var scenes = new RandomScenes(92);
+            VectorMm a = scenes.Direction();
+            VectorMm b = a.Cross(scenes.Direction()).Normalized();
+            var geometry = new VolumeGeometry(40, 44, 36, Affine.FromColumns(a, 1.1 * b, 1.2 * a.Cross(b), new PointMm(50, -80, 20)));
+            const double Radius = 14;
+            SegmentedVolume volume = Phantoms.On(
+                geometry, 3,
+                (i, j, k) => Depth(geometry, Radius, i, j, k) > 0 ? 100 : 0,
+                (i, j, k) => Depth(geometry, Radius, i, j, k) > 0 ? 2 : 1);
+            CarvedField field = Phantoms.Field(volume, CutMode.Binary, AntiAliasSettings.Default);
+            for (int n = 0; n < 400; n++)
+            {
+                VectorMm outwards = scenes.Direction();
+                PointMm aim = geometry.CentreLps + 0.7 * Radius * scenes.Between(0.0, 1.0) * scenes.Direction();
+                PointMm eye = geometry.CentreLps + 200 * outwards;
+                SegmentHit hit = SegmentPicker.Pick(field, new RayMm(eye, aim - eye), Default);
+                Assert.That(hit.Segment, Is.EqualTo(2));
+                Assert.That(hit.PositionLps.DistanceTo(geometry.CentreLps), Is.EqualTo(Radius).Within(1.3), "the ball is of voxels of up to 1.2 mm");
+                Assert.That(hit.PositionLps.DistanceTo(eye), Is.EqualTo(hit.DistanceMm).Within(1e-9));
+            }
+            SegmentHit miss = SegmentPicker.Pick(field, new RayMm(geometry.CentreLps + 200 * a + (Radius + 2) * b, -a), Default);
+            Assert.That(miss.Hit, Is.False);
+            Assert.That(miss.DistanceMm, Is.EqualTo(double.PositiveInfinity));
+        }
+
+        /// <summary>
+        /// In front of an opaque slab opacity rises linearly from 0 to 1 over a voxel: alpha reaches 0.5 where (1 - u) ln(1 - u) + u = ln 2, at u = 0.817.
+        /// </summary>
+        [Test]
+        public void Pick_OpaqueSlabWithFineSteps_ConvergesToTheIntegral()
+        {
+            double low = 0, high = 1;
+            for (int n = 0; n < 60; n++)
+            {
+                double u = 0.5 * (low + high);
+                if ((1 - u) * Math.Log(1 - u) + u < Math.Log(2))
+                    low = u;
+                else
+                    high = u;
+            }
+            CarvedField field = Phantoms.Field(Slab(10, 20), CutMode.Binary, AntiAliasSettings.Off);
+            var settings = new RaySettings { StepReference = 1.0 / 512 };
+            SegmentHit hit = SegmentPicker.Pick(field, new RayMm(new PointMm(15.3, 14.8, -60), new VectorMm(0, 0, 2)), settings);
+            Assert.That(hit.PositionLps.Z, Is.EqualTo(9 + low).Within(1e-3));
+            Assert.That(hit.Segment, Is.EqualTo(1));
+        }
+
+        [TestCase(2.0)]
+        [TestCase(1.0)]
+        [TestCase(0.5)]
+        [TestCase(0.25)]
+        [TestCase(0.37)]
+        public void Pick_UniformFog_IsIndependentOfTheStep(double step)
+        {
+            SegmentedVolume volume = Phantoms.Cube(32, 2, (i, j, k) => 10, (i, j, k) => 1);
+            CarvedField field = Phantoms.Field(volume, CutMode.Binary, AntiAliasSettings.Default);
+            double opacity = field.OpacityCode(0, 0, 0) / 255.0;
+            SegmentHit hit = SegmentPicker.Pick(
+                field, new RayMm(new PointMm(16, -100, 16), new VectorMm(0, 1, 0)), new RaySettings { StepReference = step });
+            Assert.That(hit.DistanceMm, Is.EqualTo(99.5 + Math.Log(0.5) / Math.Log(1 - opacity)).Within(1e-9));
+        }
+
+        [Test]
+        public void Pick_FogThatIsTooThinUnlessTheLastFractionOfAStepCounts_IsFound()
+        {
+            SegmentedVolume volume = Phantoms.Cube(10, 1, (i, j, k) => 10, (i, j, k) => 0);
+            CarvedField field = Phantoms.Field(volume, CutMode.Binary, AntiAliasSettings.Off);
+            double all = 1 - Math.Pow(1 - field.OpacityCode(0, 0, 0) / 255.0, 10);
+            var ray = new RayMm(new PointMm(5, 5, -9), new VectorMm(0, 0, 1));
+            Assert.That(SegmentPicker.Pick(field, ray, new RaySettings { StepReference = 0.7, FirstVisibleAlpha = all - 1e-6 }).Hit);
+            Assert.That(SegmentPicker.Pick(field, ray, new RaySettings { StepReference = 0.7, FirstVisibleAlpha = all + 1e-6 }).Hit, Is.False);
+        }
+
+        [Test]
+        public void Pick_SlabCarvedAway_SeesWhatLiesBehind()
+        {
+            SegmentedVolume volume = Phantoms.Cube(32, 3, (i, j, k) => k >= 8 && k < 12 || k >= 20 ? 100 : 0, (i, j, k) => k < 16 ? 1 : 2);
+            var ray = new RayMm(new PointMm(15, 16, -5), new VectorMm(0, 0, 1));
+            var cut = new ClipSphere(new PointMm(15, 16, 10), 8, SegmentMask.FromIndices(3, new[] { 1 }));
+            var everything = new ClipSphere(new PointMm(15, 16, 10), 100, SegmentMask.All(3));
+            CarvedField field = Phantoms.Field(volume, CutMode.Binary, AntiAliasSettings.Default);
+            Assert.That(SegmentPicker.Pick(field, ray, Default).Segment, Is.EqualTo(1));
+            field.Update(new[] { cut }, Phantoms.Ramp, volume.Segments, CutMode.Binary, AntiAliasSettings.Default);
+            Assert.That(SegmentPicker.Pick(field, ray, Default).Segment, Is.EqualTo(2));
+            field.Update(new[] { cut, everything }, Phantoms.Ramp, volume.Segments, CutMode.Binary, AntiAliasSettings.Default);
+            Assert.That(SegmentPicker.Pick(field, ray, Default), Is.EqualTo(SegmentHit.None));
+        }
+
+        [Test]
+        public void Pick_FromInsideMatter_HitsAtOnce()
+        {
+            CarvedField field = Phantoms.Field(Slab(4, 28), CutMode.Binary, AntiAliasSettings.Default);
+            SegmentHit hit = SegmentPicker.Pick(field, new RayMm(new PointMm(16, 16, 16), new VectorMm(1, 1, 1)), Default);
+            Assert.That(hit.DistanceMm, Is.EqualTo(0));
+            Assert.That(hit.Segment, Is.EqualTo(1));
+        }
+
+        [TestCase(9.0, false)]
+        [TestCase(40.0, true)]
+        public void Pick_MaxDistance_EndsTheRay(double maxDistanceMm, bool expected)
+        {
+            CarvedField field = Phantoms.Field(Slab(10, 20), CutMode.Binary, AntiAliasSettings.Off);
+            var ray = new RayMm(new PointMm(16, 16, 0), new VectorMm(0, 0, 1));
+            Assert.That(SegmentPicker.Pick(field, ray, Default, maxDistanceMm).Hit, Is.EqualTo(expected));
+            Assert.That(SegmentPicker.Pick(field, ray, Default, minDistanceMm: 25).Hit, Is.False);
+        }
+
+        [TestCase(-1.0, 0, 0)]
+        [TestCase(1.0, 0, 0)]
+        [TestCase(0, 0, -1.0)]
+        public void Pick_RayBesideOrAwayFromTheVolume_IsNone(double x, double y, double z)
+        {
+            CarvedField field = Phantoms.Field(Slab(0, 32), CutMode.Binary, AntiAliasSettings.Off);
+            Assert.That(SegmentPicker.Pick(field, new RayMm(new PointMm(16, 16, -2), new VectorMm(x, y, z)), Default).Hit, Is.False);
+        }
+
+        [Test]
+        public void Pick_LittleMatterInALargeVolume_ComputesFewVoxels()
+        {
+            SegmentedVolume volume = Phantoms.Cube(96, 2, (i, j, k) => k >= 90 ? 100 : 0, (i, j, k) => 1);
+            CarvedField field = Phantoms.Field(volume, CutMode.Binary, AntiAliasSettings.Default);
+            Assert.That(SegmentPicker.Pick(field, new RayMm(new PointMm(44, 44, -10), new VectorMm(0, 0, 1)), Default).Hit);
+            Assert.That(field.AntiAliasedVoxelsComputed, Is.LessThanOrEqualTo(100), "of 884,736; last seen: 44");
+        }
+
+        [Test]
+        public void Pick_RayThatWasNeverMade_Throws()
+        {
+            CarvedField field = Phantoms.Field(Slab(0, 32), CutMode.Binary, AntiAliasSettings.Off);
+            Assert.That(() => SegmentPicker.Pick(field, default, Default), Throws.InstanceOf<ArgumentException>());
+            Assert.That(() => SegmentPicker.Pick(field, new RayMm(default, new VectorMm(1, 0, 0)), Default, double.NaN), Throws.InstanceOf<ArgumentException>());
+        }
+
+        static SegmentedVolume Slab(int first, int end) =>
+            Phantoms.Cube(32, 2, (i, j, k) => k >= first && k < end ? 100 : 0, (i, j, k) => k >= first && k < end ? 1 : 0);
+
+        static double Depth(VolumeGeometry geometry, double radius, int i, int j, int k) =>
+            radius - geometry.IjkToLps.TransformPoint(new PointMm(i, j, k)).DistanceTo(geometry.CentreLps);
+
+        /// <summary>A few balls of different opacity, mostly empty space around them.</summary>
+        static SegmentedVolume Blobs(RandomScenes scenes, int segmentCount)
+        {
+            VolumeGeometry geometry = scenes.Geometry(40);
+            List<(VectorMm Place, double Radius, int Code)> balls = Enumerable.Range(0, 6).Select(_ => (
+                new VectorMm(scenes.Next(geometry.SizeI), scenes.Next(geometry.SizeJ), scenes.Next(geometry.SizeK)),
+                scenes.Between(1.0, 6.0), scenes.Between(5, 100))).ToList();
+            int BallAt(int i, int j, int k) => balls.FindIndex(ball => (new VectorMm(i, j, k) - ball.Place).Length < ball.Radius);
+            return Phantoms.On(
+                geometry, segmentCount,
+                (i, j, k) => BallAt(i, j, k) < 0 ? 0 : balls[BallAt(i, j, k)].Code,
+                (i, j, k) => Math.Max(0, BallAt(i, j, k)) % segmentCount);
+        }
+
+        static RayMm RayThrough(RandomScenes scenes, VolumeGeometry geometry)
+        {
+            PointMm through = geometry.IjkToLps.TransformPoint(new PointMm(
+                scenes.Between(0.0, geometry.SizeI - 1), scenes.Between(0.0, geometry.SizeJ - 1), scenes.Between(0.0, geometry.SizeK - 1)));
+            VectorMm direction = scenes.Chance(0.3) ? geometry.IjkToLps.TransformVector(new VectorMm(0, scenes.Chance(0.5) ? 1 : -1, 0)) : scenes.Direction();
+            return new RayMm(scenes.Chance(0.2) ? through : through - scenes.Between(10.0, 200.0) * direction, direction);
+        }
+
+        /// <summary>The definition, sample after sample, without skipping anything.</summary>
+        static SegmentHit PlainMarch(CarvedField field, RayMm ray, RaySettings settings)
+        {
+            VolumeGeometry geometry = field.Volume.Geometry;
+            PointMm o = geometry.LpsToIjk.TransformPoint(ray.Origin);
+            VectorMm d = geometry.LpsToIjk.TransformVector(ray.Direction);
+            double near = 0, far = double.PositiveInfinity;
+            foreach ((double start, double velocity, int size) in new[] { (o.X, d.X, geometry.SizeI), (o.Y, d.Y, geometry.SizeJ), (o.Z, d.Z, geometry.SizeK) })
+            {
+                if (velocity == 0)
+                    continue;
+                double a = (-0.5 - start) / velocity, b = (size - 0.5 - start) / velocity;
+                near = Math.Max(near, Math.Min(a, b));
+                far = Math.Min(far, Math.Max(a, b));
+            }
+            double step = settings.StepReference * geometry.ReferenceLengthMm;
+            double passing = 1;
+            for (double begin = near; begin < far; begin += step)
+            {
+                double end = Math.Min(begin + step, far);
+                PointMm sample = o + 0.5 * (begin + end) * d;
+                double opacity = Sample(field, sample);
+                double stillPassing = passing * Math.Pow(1 - opacity, (end - begin) / geometry.ReferenceLengthMm);
+                if (1 - stillPassing >= settings.FirstVisibleAlpha)
+                {
+                    double wanted = 1 - settings.FirstVisibleAlpha;
+                    double length = opacity < 1 ? Math.Log(wanted / passing) / Math.Log(1 - opacity) * geometry.ReferenceLengthMm : 0;
+                    double distance = begin + Math.Max(0, Math.Min(end - begin, length));
+                    PointMm there = o + distance * d;
+                    int segment = field.SegmentAt(there.X, there.Y, there.Z);
+                    return new SegmentHit(segment >= 0 ? segment : field.SegmentAt(sample.X, sample.Y, sample.Z), ray.At(distance), distance);
+                }
+                passing = stillPassing;
+            }
+            return SegmentHit.None;
+        }
+
+        static double Sample(CarvedField field, PointMm index)
+        {
+            double sum = 0;
+            for (int corner = 0; corner < 8; corner++)
+            {
+                double i = Math.Floor(index.X) + (corner & 1), j = Math.Floor(index.Y) + (corner >> 1 & 1), k = Math.Floor(index.Z) + (corner >> 2);
+                double weight = (1 - Math.Abs(index.X - i)) * (1 - Math.Abs(index.Y - j)) * (1 - Math.Abs(index.Z - k));
+                sum += weight * field.AntiAliasedCode(Within(i, field.Bricks.SizeI), Within(j, field.Bricks.SizeJ), Within(k, field.Bricks.SizeK)) / 255;
+            }
+            return sum;
+        }
+
+        static int Within(double index, int size) => (int)Math.Max(0, Math.Min(size - 1, index));
+    }
+}

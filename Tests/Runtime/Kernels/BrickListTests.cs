@@ -1,0 +1,89 @@
+using System;
+using System.Collections.Generic;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.Experimental.Rendering;
+using Random = System.Random;
+
+namespace AnatomyCarve.Tests.Kernels
+{
+    /// <summary>A kernel that gets a list of bricks writes those as a full run does, and no other voxel.</summary>
+    public sealed class BrickListTests
+    {
+        [Test]
+        public void ClipVoxels_ListOfBricks_ChangesThoseOnly([Values(0, 1, 3)] int groupsPerRow)
+        {
+            var random = new Random(1);
+            CarveScene carve = CarveScene.Opaque(KernelGrid.Aligned(30, 17, 26), 5, random);
+            carve.AddRandomSphere(random).Radius = 20;
+            Check(KernelRig.ClipVoxels(), carve.Grid, random, groupsPerRow, "_OpacityOut", GraphicsFormat.R8_UNorm, 1, carve.Bind, rig => rig.Set("_CarveCounts", 0, 1, 5, 0));
+        }
+
+        [Test]
+        public void AntiAlias_ListOfBricks_ChangesThoseOnly()
+        {
+            var random = new Random(2);
+            KernelGrid grid = KernelGrid.Aligned(30, 17, 26);
+            byte[] codes = OpacityFields.Fill(grid, (i, j, k) => random.Next(256));
+            Check(KernelRig.AntiAlias(), grid, random, 0, "_OpacityAAOut", GraphicsFormat.R8_UNorm, 1, rig =>
+            {
+                rig.Set(grid);
+                rig.SetVolume("_Opacity", GraphicsFormat.R8_UNorm, grid, codes);
+                rig.Set("_AntiAlias", new Vector4(0, 0, 0, 1));
+            }, rig => rig.Set("_AntiAlias", Vector4.zero));
+        }
+
+        [Test]
+        public void SobelNormals_ListOfBricks_ChangesThoseOnly()
+        {
+            var random = new Random(3);
+            KernelGrid grid = KernelGrid.Aligned(30, 17, 26);
+            byte[] codes = OpacityFields.Fill(grid, (i, j, k) => random.Next(256));
+            Check(KernelRig.SobelNormals(), grid, random, 0, "_NormalsOut", GraphicsFormat.R8G8_UNorm, 2, rig =>
+            {
+                rig.Set(grid);
+                rig.SetVolume("_OpacityAA", GraphicsFormat.R8_UNorm, grid, codes);
+            }, rig => rig.SetVolume("_OpacityAA", GraphicsFormat.R8_UNorm, grid, new byte[grid.VoxelCount]));
+        }
+
+        /// <param name="prepare">Sets what the kernel reads.</param>
+        /// <param name="change">Changes it, so that a second run over a list of bricks differs from the first.</param>
+        static void Check(
+            KernelRig rig, KernelGrid grid, Random random, int groupsPerRow, string target, GraphicsFormat format, int bytesPerVoxel,
+            Action<KernelRig> prepare, Action<KernelRig> change)
+        {
+            using (rig)
+            {
+                prepare(rig);
+                RenderTexture texture = rig.VolumeTarget(target, format, grid);
+                rig.DispatchBricks(grid);
+                byte[] before = KernelRig.Read<byte>(texture);
+                change(rig);
+                rig.DispatchBricks(grid);
+                byte[] changed = KernelRig.Read<byte>(texture);
+                prepare(rig);
+                rig.DispatchBricks(grid);
+                Assert.That(KernelRig.Read<byte>(texture), Is.EqualTo(before), "the same input twice");
+                change(rig);
+                uint[] bricks = Array.FindAll(grid.AllBricks(), brick => random.Next(3) == 0);
+                rig.DispatchBricks(grid, bricks, groupsPerRow);
+                byte[] after = KernelRig.Read<byte>(texture);
+                var listed = new HashSet<uint>(bricks);
+                int wrong = 0, different = 0;
+                grid.ForEach((i, j, k) =>
+                {
+                    bool inList = listed.Contains((uint)(i / 8) | (uint)(j / 8) << 10 | (uint)(k / 8) << 20);
+                    for (int b = 0; b < bytesPerVoxel; b++)
+                    {
+                        int at = bytesPerVoxel * grid.Index(i, j, k) + b;
+                        different += changed[at] != before[at] ? 1 : 0;
+                        wrong += after[at] != (inList ? changed[at] : before[at]) ? 1 : 0;
+                    }
+                });
+                Assert.That(bricks, Is.Not.Empty);
+                Assert.That(different, Is.GreaterThan(0), "bytes that the change changes");
+                Assert.That(wrong, Is.EqualTo(0), "bytes");
+            }
+        }
+    }
+}

@@ -1,0 +1,168 @@
+using System;
+using System.Collections.Generic;
+using System.Runtime.InteropServices;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.Experimental.Rendering;
+using UnityEngine.Rendering;
+
+namespace AnatomyCarve.Tests.Kernels
+{
+    /// <summary>
+    /// Runs one kernel by itself on plain Unity API, with resources that a test makes from arrays. It shares nothing with the package's own
+    /// dispatching, so that a mistake there cannot hide here.
+    /// </summary>
+    sealed class KernelRig : IDisposable
+    {
+        readonly ComputeShader shader;
+        readonly int kernel;
+        readonly string keyword;
+        readonly List<UnityEngine.Object> objects = new List<UnityEngine.Object>();
+        readonly Dictionary<string, GraphicsBuffer> buffers = new Dictionary<string, GraphicsBuffer>();
+
+        KernelRig(ComputeShader shader, string name, string keyword)
+        {
+            Assert.That(shader == null, Is.False, "the compute shader is missing");
+            this.shader = shader;
+            this.keyword = keyword;
+            kernel = shader.FindKernel(name);
+        }
+
+        public static KernelRig ClipVoxels() => new KernelRig(AnatomyCarveShaders.Load().ClipVoxels, "ClipVoxels", null);
+
+        public static KernelRig AntiAlias() => new KernelRig(AnatomyCarveShaders.Load().AntiAlias, "AntiAlias", null);
+
+        public static KernelRig SobelNormals() => new KernelRig(AnatomyCarveShaders.Load().SobelNormals, "SobelNormals", null);
+
+        public static KernelRig Raymarch(bool countSamples = false) =>
+            new KernelRig(AnatomyCarveShaders.Load().Raymarch, "Raymarch", countSamples ? "COUNT_SAMPLES" : null);
+
+        public void Set(string name, Vector4 value) => shader.SetVector(name, value);
+
+        public void Set(string name, int x, int y, int z, int w) => shader.SetInts(name, x, y, z, w);
+
+        /// <summary>Sets the grid's rows of the constant buffer CarvedVolume; no brick list.</summary>
+        public void Set(KernelGrid grid)
+        {
+            SetBrickCounts(grid, 0, 0);
+            for (int row = 0; row < 3; row++)
+            {
+                shader.SetVector("_IndexToMm" + row, new Vector4(grid.IndexToMm[row, 0], grid.IndexToMm[row, 1], grid.IndexToMm[row, 2], 0));
+                shader.SetVector("_MmToIndex" + row, new Vector4((float)grid.MmToIndex[row, 0], (float)grid.MmToIndex[row, 1], (float)grid.MmToIndex[row, 2], 0));
+            }
+            shader.SetVector("_CentreIndex", new Vector4((grid.SizeI - 1) * 0.5f, (grid.SizeJ - 1) * 0.5f, (grid.SizeK - 1) * 0.5f, grid.ReferenceMm));
+        }
+
+        public void SetVolume<T>(string name, GraphicsFormat format, KernelGrid grid, T[] voxels, FilterMode filter = FilterMode.Point)
+            where T : struct
+        {
+            var texture = new Texture3D(grid.SizeI, grid.SizeJ, grid.SizeK, format, TextureCreationFlags.None) { name = name };
+            Keep(texture, filter);
+            texture.SetPixelData(voxels, 0);
+            texture.Apply(false, false);
+            shader.SetTexture(kernel, name, texture);
+        }
+
+        public void SetPicture<T>(string name, GraphicsFormat format, int width, int height, T[] pixels)
+            where T : struct
+        {
+            var texture = new Texture2D(width, height, format, TextureCreationFlags.None) { name = name };
+            Keep(texture, FilterMode.Point);
+            texture.SetPixelData(pixels, 0);
+            texture.Apply(false, false);
+            shader.SetTexture(kernel, name, texture);
+        }
+
+        public void SetRows<T>(string name, T[] rows)
+            where T : struct
+        {
+            var buffer = new GraphicsBuffer(GraphicsBuffer.Target.Structured, rows.Length, Marshal.SizeOf<T>()) { name = name };
+            if (buffers.TryGetValue(name, out GraphicsBuffer former))
+                former.Dispose();
+            buffers[name] = buffer;
+            buffer.SetData(rows);
+            shader.SetBuffer(kernel, name, buffer);
+        }
+
+        public RenderTexture VolumeTarget(string name, GraphicsFormat format, KernelGrid grid)
+        {
+            var descriptor = new RenderTextureDescriptor(grid.SizeI, grid.SizeJ, format, 0) { dimension = TextureDimension.Tex3D, volumeDepth = grid.SizeK };
+            return Target(name, descriptor);
+        }
+
+        public RenderTexture PictureTarget(string name, GraphicsFormat format, int width, int height) =>
+            Target(name, new RenderTextureDescriptor(width, height, format, 0));
+
+        /// <summary>Dispatches over a list of bricks, all of the grid by default, in rows of groups.</summary>
+        public void DispatchBricks(KernelGrid grid, uint[] bricks = null, int groupsPerRow = 0)
+        {
+            bricks = bricks ?? grid.AllBricks();
+            groupsPerRow = groupsPerRow > 0 ? groupsPerRow : bricks.Length;
+            SetBrickCounts(grid, bricks.Length, groupsPerRow);
+            SetRows("_Bricks", bricks);
+            Dispatch(groupsPerRow, (bricks.Length + groupsPerRow - 1) / groupsPerRow);
+        }
+
+        public void Dispatch(int groupsX, int groupsY)
+        {
+            if (keyword != null)
+                shader.EnableKeyword(keyword);
+            shader.Dispatch(kernel, groupsX, groupsY, 1);
+            if (keyword != null)
+                shader.DisableKeyword(keyword);
+        }
+
+        public static T[] Read<T>(RenderTexture target)
+            where T : struct
+        {
+            AsyncGPUReadbackRequest request = AsyncGPUReadback.Request(target, 0);
+            request.WaitForCompletion();
+            Assert.That(request.hasError, Is.False, target.name + " cannot be read back");
+            var all = new List<T>();
+            for (int layer = 0; layer < request.layerCount; layer++)
+                all.AddRange(request.GetData<T>(layer).ToArray());
+            return all.ToArray();
+        }
+
+        public uint[] ReadRows(string name)
+        {
+            var rows = new uint[buffers[name].count];
+            buffers[name].GetData(rows);
+            return rows;
+        }
+
+        public void Dispose()
+        {
+            foreach (GraphicsBuffer buffer in buffers.Values)
+                buffer.Dispose();
+            foreach (UnityEngine.Object made in objects)
+                UnityEngine.Object.DestroyImmediate(made);
+            buffers.Clear();
+            objects.Clear();
+        }
+
+        RenderTexture Target(string name, RenderTextureDescriptor descriptor)
+        {
+            descriptor.enableRandomWrite = true;
+            descriptor.msaaSamples = 1;
+            var target = new RenderTexture(descriptor) { name = name };
+            objects.Add(target);
+            Assert.That(target.Create(), Is.True, name + " cannot be created");
+            shader.SetTexture(kernel, name, target);
+            return target;
+        }
+
+        void Keep(Texture texture, FilterMode filter)
+        {
+            texture.filterMode = filter;
+            texture.wrapMode = TextureWrapMode.Clamp;
+            objects.Add(texture);
+        }
+
+        void SetBrickCounts(KernelGrid grid, int bricks, int groupsPerRow)
+        {
+            shader.SetInts("_VolumeDims", grid.SizeI, grid.SizeJ, grid.SizeK, bricks);
+            shader.SetInts("_BrickGrid", grid.BricksI, grid.BricksJ, grid.BricksK, groupsPerRow);
+        }
+    }
+}

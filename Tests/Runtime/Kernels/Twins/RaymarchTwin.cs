@@ -1,0 +1,213 @@
+using System;
+
+namespace AnatomyCarve.Tests.Kernels
+{
+    /// <summary>What Raymarch is held to: one ray at a time, in double precision, without any cache.</summary>
+    sealed class RaymarchTwin
+    {
+        /// <summary>A ray's result. Where a hair's breadth decides (a voxel boundary, a threshold), a field says that it is undecided.</summary>
+        public sealed class Ray
+        {
+            public readonly double[] Color = new double[4];
+            public double DepthMm = double.PositiveInfinity;
+            public int Segment = RayScene.NoSegment;
+            public bool ColorUndecided, VisibilityUndecided, SegmentUndecided;
+            public int Samples;
+        }
+
+        const double HairVoxels = 1e-4;
+        const double HairAlpha = 1e-4;
+
+        readonly RayScene scene;
+        readonly KernelGrid grid;
+
+        public RaymarchTwin(RayScene scene)
+        {
+            this.scene = scene;
+            grid = scene.Grid;
+        }
+
+        public Ray March(int x, int y)
+        {
+            var ray = new Ray();
+            double[] origin = new double[3], direction = new double[3];
+            for (int axis = 0; axis < 3; axis++)
+            {
+                origin[axis] = scene.Origin[axis] + (x + 0.5) * scene.OriginDx[axis] + (y + 0.5) * scene.OriginDy[axis];
+                direction[axis] = scene.Direction[axis] + (x + 0.5) * scene.DirectionDx[axis] + (y + 0.5) * scene.DirectionDy[axis];
+            }
+            double mmPerT = Length(direction);
+            double near = scene.NearT, far = scene.FarT;
+            if (scene.SceneDepth != null)
+                far = Math.Min(far, scene.SceneDepth[x + scene.Width * y]);
+            double[] start = ToIndexVector(origin), velocity = ToIndexVector(direction);
+            double[] middle = { (grid.SizeI - 1) * 0.5, (grid.SizeJ - 1) * 0.5, (grid.SizeK - 1) * 0.5 };
+            for (int axis = 0; axis < 3; axis++)
+            {
+                start[axis] += middle[axis];
+                Clip(start[axis], velocity[axis], middle[axis] + 0.5, ref near, ref far, middle[axis]);
+            }
+            if (!(far > near))
+                return ray;
+            double[] toViewer = RayScene.Scale(direction, -1 / mmPerT);
+            double stepT = scene.Step * grid.ReferenceMm / mmPerT;
+            double steps = (far - near) / stepT;
+            for (int n = 0; n < steps && ray.Color[3] < scene.OpaqueAlpha; n++)
+            {
+                ray.Samples++;
+                Step(ray, start, velocity, near, stepT, mmPerT, n, Math.Min(n + 1, steps), toViewer);
+            }
+            return ray;
+        }
+
+        void Step(Ray ray, double[] start, double[] velocity, double near, double stepT, double mmPerT, double begin, double end, double[] toViewer)
+        {
+            double[] p = At(start, velocity, near + 0.5 * (begin + end) * stepT);
+            double opacity = Trilinear(p);
+            if (opacity <= 0)
+                return;
+            int segment = SegmentAround(p, out bool undecided);
+            double before = ray.Color[3], lengths = (end - begin) * scene.Step;
+            double passing = Math.Pow(1 - opacity, lengths), weight = (1 - before) * (1 - passing);
+            double[] shaded = Shade(segment, p, toViewer, out bool turnUndecided);
+            for (int c = 0; c < 3; c++)
+                ray.Color[c] += weight * shaded[c];
+            double after = before + weight;
+            ray.Color[3] = after;
+            ray.ColorUndecided |= (undecided || turnUndecided) && weight > 1e-3;
+            ray.ColorUndecided |= Math.Abs(after - scene.OpaqueAlpha) < HairAlpha;
+            ray.VisibilityUndecided |= Math.Abs(after - scene.VisibleAlpha) < HairAlpha;
+            if (before >= scene.VisibleAlpha || after < scene.VisibleAlpha)
+                return;
+            double part = opacity < 1 ? Math.Log((1 - scene.VisibleAlpha) / (1 - before)) / (lengths * Math.Log(1 - opacity)) : 0;
+            double t = near + (begin + Math.Min(1, Math.Max(0, part)) * (end - begin)) * stepT;
+            ray.DepthMm = t * mmPerT;
+            ray.Segment = SegmentAround(At(start, velocity, t), out ray.SegmentUndecided);
+            if (ray.Segment == RayScene.NoSegment)
+            {
+                ray.Segment = segment;
+                ray.SegmentUndecided |= undecided;
+            }
+        }
+
+        static void Clip(double start, double velocity, double half, ref double near, ref double far, double middle)
+        {
+            double low = middle - half, high = middle + half;
+            if (Math.Abs(velocity) < 1e-12)
+            {
+                if (start < low || start > high)
+                    far = double.NegativeInfinity;
+                return;
+            }
+            double a = (low - start) / velocity, b = (high - start) / velocity;
+            near = Math.Max(near, Math.Min(a, b));
+            far = Math.Min(far, Math.Max(a, b));
+        }
+
+        double[] Shade(int segment, double[] p, double[] toViewer, out bool undecided)
+        {
+            double[] normal = BlendedNormal(p);
+            double length = Length(normal);
+            undecided = length > 0 && length < 1e-2;
+            double[] n = length > 1e-4 ? RayScene.Scale(normal, 1 / length) : toViewer;
+            double facing = Dot(n, toViewer);
+            undecided |= Math.Abs(facing) < 1e-4;
+            if (facing < 0)
+                n = RayScene.Scale(n, -1);
+            double[] halfway = new double[3];
+            for (int axis = 0; axis < 3; axis++)
+                halfway[axis] = scene.Light[axis] + toViewer[axis];
+            halfway = OctahedralTwin.Normalized(halfway);
+            double diffuse = scene.Diffuse * Math.Max(0, Dot(n, scene.Light));
+            double specular = scene.Specular * Math.Pow(Math.Max(0, Dot(n, halfway)), scene.Shininess);
+            var color = new double[3];
+            for (int c = 0; c < 3; c++)
+                color[c] = scene.Colors[segment == RayScene.NoSegment ? 0 : segment][c] * (scene.Ambient + diffuse * scene.LightColor[c]) + specular * scene.LightColor[c];
+            return color;
+        }
+
+        double[] BlendedNormal(double[] p)
+        {
+            var sum = new double[3];
+            ForCorners(p, (voxel, weight) =>
+            {
+                double[] normal = OctahedralTwin.Decode(scene.Normals[2 * voxel], scene.Normals[2 * voxel + 1]);
+                for (int axis = 0; axis < 3 && normal != null; axis++)
+                    sum[axis] += weight * normal[axis];
+            });
+            return sum;
+        }
+
+        double Trilinear(double[] p)
+        {
+            double sum = 0;
+            ForCorners(p, (voxel, weight) => sum += weight * scene.OpacityAA[voxel]);
+            return sum;
+        }
+
+        void ForCorners(double[] p, Action<int, double> action)
+        {
+            int i = (int)Math.Floor(p[0]), j = (int)Math.Floor(p[1]), k = (int)Math.Floor(p[2]);
+            for (int n = 0; n < 8; n++)
+            {
+                int di = n & 1, dj = n >> 1 & 1, dk = n >> 2;
+                double weight = (di == 0 ? 1 - (p[0] - i) : p[0] - i) * (dj == 0 ? 1 - (p[1] - j) : p[1] - j) * (dk == 0 ? 1 - (p[2] - k) : p[2] - k);
+                action(Clamped(i + di, j + dj, k + dk), weight);
+            }
+        }
+
+        /// <summary>The segment at a point; undecided when a point a hair's breadth away has another.</summary>
+        int SegmentAround(double[] p, out bool undecided)
+        {
+            int segment = SegmentAt(p[0], p[1], p[2]);
+            undecided = false;
+            for (int n = 0; n < 8; n++)
+                undecided |= SegmentAt(
+                    p[0] + ((n & 1) == 0 ? -HairVoxels : HairVoxels), p[1] + ((n & 2) == 0 ? -HairVoxels : HairVoxels), p[2] + ((n & 4) == 0 ? -HairVoxels : HairVoxels)) != segment;
+            return segment;
+        }
+
+        int SegmentAt(double x, double y, double z)
+        {
+            int i = (int)Math.Floor(x), j = (int)Math.Floor(y), k = (int)Math.Floor(z);
+            int voxel = MostOpaque(i, j, k, 0, 1);
+            voxel = voxel >= 0 ? voxel : MostOpaque(i, j, k, -1, 2);
+            return voxel >= 0 ? scene.Labels[voxel] : RayScene.NoSegment;
+        }
+
+        int MostOpaque(int i, int j, int k, int from, int to)
+        {
+            int best = 0, found = -1;
+            for (int dk = from; dk <= to; dk++)
+                for (int dj = from; dj <= to; dj++)
+                    for (int di = from; di <= to; di++)
+                    {
+                        int voxel = Clamped(i + di, j + dj, k + dk);
+                        if (scene.Opacity[voxel] > best)
+                        {
+                            best = scene.Opacity[voxel];
+                            found = voxel;
+                        }
+                    }
+            return found;
+        }
+
+        int Clamped(int i, int j, int k) => grid.Index(
+            Math.Min(Math.Max(i, 0), grid.SizeI - 1), Math.Min(Math.Max(j, 0), grid.SizeJ - 1), Math.Min(Math.Max(k, 0), grid.SizeK - 1));
+
+        double[] ToIndexVector(double[] v)
+        {
+            var index = new double[3];
+            for (int row = 0; row < 3; row++)
+                index[row] = grid.MmToIndex[row, 0] * v[0] + grid.MmToIndex[row, 1] * v[1] + grid.MmToIndex[row, 2] * v[2];
+            return index;
+        }
+
+        static double[] At(double[] start, double[] velocity, double t) =>
+            new[] { start[0] + t * velocity[0], start[1] + t * velocity[1], start[2] + t * velocity[2] };
+
+        static double Dot(double[] a, double[] b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+
+        static double Length(double[] v) => Math.Sqrt(Dot(v, v));
+    }
+}

@@ -1,0 +1,99 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Reflection;
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+using System.Text.RegularExpressions;
+using AnatomyCarve.Carving;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace AnatomyCarve.Tests.Kernels
+{
+    /// <summary>VolumeLayout.hlsl, read as text, against the C# side: limits, structs, names.</summary>
+    public sealed class VolumeLayoutTests
+    {
+        static readonly Assembly Package = typeof(AnatomyCarveShaders).Assembly;
+
+        [Test]
+        public void Limits_AreTheSameInHlslAndCSharp()
+        {
+            string layout = Read("VolumeLayout.hlsl");
+            Assert.That(Define(layout, "BRICK_SIZE"), Is.EqualTo(BrickGrid.BrickSize));
+            Assert.That(Define(layout, "SEGMENTS_PER_ROW"), Is.EqualTo(Constant("LookupTextures", "SegmentsPerRow")));
+            Assert.That(Define(layout, "GROUP_THREADS"), Is.EqualTo(Define(layout, "GROUP_SIZE") * Define(layout, "GROUP_SIZE")));
+        }
+
+        [Test]
+        public void SphereRow_HasTheSameLayoutInHlslAndCSharp()
+        {
+            Type row = Package.GetType("AnatomyCarve.SphereBuffers+SphereRow", true);
+            List<string[]> members = Members(Read("VolumeLayout.hlsl"), "struct", "SphereRow");
+            Assert.That(members.Count, Is.EqualTo(2));
+            Assert.That(members[0], Is.EqualTo(new[] { "float4", "centreRadius" }));
+            Assert.That(members[1], Is.EqualTo(new[] { "uint4", "mask" }));
+            Assert.That(Marshal.SizeOf(row), Is.EqualTo(16 * members.Count));
+            Assert.That((int)Marshal.OffsetOf(row, "CentreRadius"), Is.EqualTo(0));
+            Assert.That((int)Marshal.OffsetOf(row, "MaskOffset"), Is.EqualTo(16), "mask.x");
+        }
+
+        [TestCase("CarvedVolume")]
+        [TestCase("RaymarchView")]
+        public void ConstantBuffer_IsMadeOfRowsThatCSharpKnows(string name)
+        {
+            List<string[]> members = Members(Read("VolumeLayout.hlsl"), "cbuffer", name);
+            Assert.That(members, Is.Not.Empty);
+            foreach (string[] member in members)
+            {
+                Assert.That(member[0], Is.EqualTo("float4").Or.EqualTo("int4"), member[1] + ": anything but rows of 16 bytes is packed differently by Direct3D and Vulkan");
+                AssertIdExists(member[1]);
+            }
+        }
+
+        [Test]
+        public void Resources_AreAllKnownToCSharp()
+        {
+            int found = 0;
+            foreach (string file in Directory.GetFiles(Path.GetDirectoryName(PathOf("VolumeLayout.hlsl"))))
+            {
+                if (file.EndsWith(".meta", StringComparison.Ordinal))
+                    continue;
+                foreach (Match match in Regex.Matches(File.ReadAllText(file), @"^(?:RW)?(?:Texture[23]D|StructuredBuffer)<[^>]+>\s+(\w+);", RegexOptions.Multiline))
+                {
+                    AssertIdExists(match.Groups[1].Value);
+                    found++;
+                }
+            }
+            Assert.That(found, Is.GreaterThan(15));
+        }
+
+        static void AssertIdExists(string property)
+        {
+            FieldInfo field = Package.GetType("AnatomyCarve.ShaderIds", true).GetField(property.TrimStart('_'), BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic);
+            Assert.That(field, Is.Not.Null, property + " is missing in ShaderIds");
+            Assert.That(field.GetValue(null), Is.EqualTo(Shader.PropertyToID(property)), property);
+        }
+
+        static int Constant(string type, string name) =>
+            (int)Package.GetType("AnatomyCarve." + type, true).GetField(name, BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic).GetValue(null);
+
+        static int Define(string text, string name) => int.Parse(Regex.Match(text, @"#define " + name + @" (\d+)").Groups[1].Value, System.Globalization.CultureInfo.InvariantCulture);
+
+        /// <summary>Type and name of each member of a struct or cbuffer.</summary>
+        static List<string[]> Members(string text, string kind, string name)
+        {
+            var members = new List<string[]>();
+            string body = Regex.Match(text, kind + @" " + name + @"\s*\{([^}]*)\}").Groups[1].Value;
+            foreach (Match match in Regex.Matches(body, @"^\s*(\w+) ([^;]+);", RegexOptions.Multiline))
+                foreach (string member in match.Groups[2].Value.Split(','))
+                    members.Add(new[] { match.Groups[1].Value, member.Trim() });
+            return members;
+        }
+
+        static string Read(string file) => File.ReadAllText(PathOf(file));
+
+        static string PathOf(string file, [CallerFilePath] string here = "") =>
+            Path.GetFullPath(Path.Combine(Path.GetDirectoryName(here), "..", "..", "..", "Shaders", file));
+    }
+}
