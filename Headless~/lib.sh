@@ -13,6 +13,23 @@ fail() {
     exit 1
 }
 
+# writable FOLDER: makes a folder if need be; whether files can be made in it.
+writable() { mkdir -p "$1" 2> /dev/null && [[ -w "$1" ]]; }
+
+writable "$artifacts" && writable "$headless/out" || fail "this writes below $headless, and may not"
+# .NET, Wine and the engine keep their caches at home. A service or a container may have none.
+writable "${HOME:-}" || { export HOME="$artifacts/home"; writable "$HOME"; }
+
+# quietly LINES COMMAND ...: runs a command; the last LINES lines of what it says are shown only if it fails.
+quietly() {
+    local log code=0
+    log="$(mktemp)" || fail "there is no writable folder for temporary files"
+    "${@:2}" > "$log" 2>&1 || code=$?
+    ((code == 0)) || tail -n "$1" "$log" >&2
+    rm -f "$log"
+    return "$code"
+}
+
 # present THING: whether the system has it. A path (may hold wildcards), "lib:NAME" for a shared library, otherwise a command.
 present() {
     case "$1" in
@@ -23,10 +40,11 @@ present() {
 }
 
 # ensure_packages PACKAGE THING [PACKAGE THING ...]: installs the Debian packages whose thing is absent, as root or through sudo.
+# A package whose name holds its version is given as the regular expression that apt-get takes: ^name[0-9]+$.
 ensure_packages() {
     local missing=() things=()
     while (($# > 0)); do
-        present "$2" || { missing+=("$1"); things+=("$2"); }
+        present "$2" || { missing+=("$1"); things+=("${2#lib:}"); }
         shift 2
     done
     ((${#missing[@]} > 0)) || return 0
@@ -35,22 +53,24 @@ ensure_packages() {
     command -v apt-get > /dev/null \
         || fail "this needs ${things[*]}, on Debian the packages ${missing[*]}; there is no apt-get here, please install them by hand"
     if ((EUID != 0)); then
-        command -v sudo > /dev/null && sudo -n true 2> /dev/null || [[ -t 0 && -n "$(command -v sudo)" ]] \
-            || fail "this needs the packages ${missing[*]} and may not install them; please run: apt-get install ${missing[*]}"
+        command -v sudo > /dev/null && { sudo -n true 2> /dev/null || [[ -t 0 ]]; } \
+            || fail "this needs ${things[*]} and may not install it; please run, as root: apt-get install ${missing[*]@Q}"
         as_root=(sudo)
     fi
 
-    say "installing ${missing[*]} ..."
-    local log
-    log="$(mktemp)"
-    if ! { "${as_root[@]}" apt-get update -qq \
-        && "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}"; } > "$log" 2>&1; then
-        tail -n 5 "$log" >&2
-        rm -f "$log"
-        fail "could not install ${missing[*]}; please run: apt-get install ${missing[*]}"
+    local names=("${missing[@]#^}")
+    say "installing ${names[*]%%[*} ..."
+    # A fresh system has no package lists. Where only some other source is out of reach, what is needed may still be found: no reason to end.
+    if [[ "$lists_are_new" == no ]]; then
+        quietly 5 "${as_root[@]}" apt-get update -qq || say "apt-get update failed; trying with the lists that there are"
+        lists_are_new=yes
     fi
-    rm -f "$log"
+    quietly 5 "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+        apt-get -o DPkg::Lock::Timeout=300 install -y -qq --no-install-recommends "${missing[@]}" \
+        || fail "could not install ${missing[*]}; please run, as root: apt-get install ${missing[*]@Q}"
 }
+
+lists_are_new=no
 
 # What the engine needs to compile shaders and to run them, on a GPU or on Mesa's driver for the CPU.
 ensure_vulkan() {
@@ -60,27 +80,21 @@ ensure_vulkan() {
         glslang-tools glslangValidator
 }
 
+# What .NET needs to build: itself, and what it takes to fetch packages over TLS.
 ensure_dotnet() {
     command -v dotnet > /dev/null || fail "the .NET SDK 10 is missing; https://dotnet.microsoft.com/download says how to install it"
     dotnet --list-sdks | grep -E '^(1[0-9]|[2-9][0-9])\.' > /dev/null || fail "the .NET SDK 10 or newer is needed; this is $(dotnet --version)"
-    # .NET wants ICU for cultures; Debian names the package after its version.
-    if ! present lib:libicuuc.so; then
-        local icu
-        icu="$(apt-cache search --names-only '^libicu[0-9]+$' 2> /dev/null | awk '{ print $1 }' | sort -V | tail -n 1)"
-        [[ -n "$icu" ]] && (ensure_packages "$icu" lib:libicuuc.so) || export DOTNET_SYSTEM_GLOBALIZATION_INVARIANT=1
-    fi
+    ensure_packages '^libssl[0-9.]+(t64)?$' lib:libssl.so ca-certificates /etc/ssl/certs/ca-certificates.crt
+}
+
+# .NET takes its cultures from ICU.
+ensure_cultures() {
+    ensure_packages '^libicu[0-9]+$' lib:libicuuc.so
 }
 
 # build PROJECT [ARGUMENT ...]: builds a project of Headless~ in Release; what the compiler says is shown only if it fails.
 build() {
-    local log
-    log="$(mktemp)"
-    if ! dotnet build "$headless/$1" --configuration Release --verbosity quiet -nologo "${@:2}" > "$log" 2>&1; then
-        cat "$log" >&2
-        rm -f "$log"
-        fail "building $1 failed"
-    fi
-    rm -f "$log"
+    quietly 200 dotnet build "$headless/$1" --configuration Release --verbosity quiet -nologo "${@:2}" || fail "building $1 failed"
 }
 
 # build_if_changed PROJECT: the same, but only if a source is newer than the last time. Starting dotnet to find that out takes seconds.

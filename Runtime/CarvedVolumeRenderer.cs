@@ -15,44 +15,32 @@ namespace AnatomyCarve
     public sealed class CarvedVolumeRenderer : MonoBehaviour
     {
         [SerializeField, Tooltip("The volume to show; empty = the one on this GameObject")]
-        private VolumeLoader loader;
+        VolumeLoader loader;
 
         [SerializeField, Tooltip("The carving to show; empty = the one on this GameObject; none = the whole volume")]
-        private ClipSphereStack stack;
+        ClipSphereStack stack;
 
         [SerializeField, Tooltip("Step, cuts and anti-aliasing")]
-        private RenderQuality quality = RenderQuality.Balanced();
+        RenderQuality quality = RenderQuality.Balanced();
 
         [SerializeField, Tooltip("The light that the volume is shaded with")]
-        private LightSettings shading = new LightSettings();
+        LightSettings shading = new LightSettings();
 
-        readonly RenderStatistics statistics = new RenderStatistics();
+        readonly GpuSlot gpu = new GpuSlot(new RenderStatistics());
         readonly VolumeSettings settings = new VolumeSettings();
         readonly FieldCache field = new FieldCache();
-        VolumeGpu gpu;
-        SegmentedVolume refused;
 
         /// <summary>The volume that is shown: the one that was set, or else the one on this GameObject. Null if there is none.</summary>
         public VolumeLoader Loader
         {
-            get
-            {
-                if (loader == null)
-                    TryGetComponent(out loader);
-                return loader;
-            }
+            get => this.WiredOrSibling(ref loader);
             set => loader = value;
         }
 
         /// <summary>The carving that is shown: the one that was set, or else the one on this GameObject. Null = the whole volume is shown.</summary>
         public ClipSphereStack Stack
         {
-            get
-            {
-                if (stack == null)
-                    TryGetComponent(out stack);
-                return stack;
-            }
+            get => this.WiredOrSibling(ref stack);
             set => stack = value;
         }
 
@@ -96,7 +84,7 @@ namespace AnatomyCarve
         public bool CountSamples { get; set; }
 
         /// <summary>What this renderer has done and what it holds on the GPU.</summary>
-        public RenderStatistics Statistics => statistics;
+        public RenderStatistics Statistics => gpu.Statistics;
 
         /// <summary>The carved volume on the CPU, as it would be shown now; for pointers. Null while no volume is loaded.</summary>
         public CarvedField Field
@@ -115,18 +103,20 @@ namespace AnatomyCarve
         /// <param name="camera">The camera; enabled or not.</param>
         /// <param name="width">Width in pixels; 0 = the camera's. Its projection is the camera's, so keep the camera's aspect.</param>
         /// <param name="height">Height in pixels; 0 = the camera's.</param>
-        /// <returns>The picture; null while there is nothing to show: no volume, a scale of 0, disabled, or a device that cannot (said once in the console).</returns>
+        /// <returns>The picture; null while there is nothing to show: no volume, a scale of 0, disabled, or a device that cannot (said once in the console,
+        /// and tried again after <see cref="ReleaseResources"/>).</returns>
         /// <exception cref="ArgumentNullException"><paramref name="camera"/> is null.</exception>
         public CarvedPicture Render(Camera camera, int width = 0, int height = 0)
         {
             if (camera == null)
                 throw new ArgumentNullException(nameof(camera));
             Matrix4x4 volumeToWorld = Loader != null ? Loader.transform.localToWorldMatrix : Matrix4x4.identity;
-            if (VolumeSpace.WorldScale(volumeToWorld) == 0 || !Prepare())
+            VolumeGpu shown = VolumeSpace.WorldScale(volumeToWorld) == 0 ? null : Shown();
+            if (shown == null)
                 return null;
-            PictureRayBundle rays = CameraRays.Bundle(camera.projectionMatrix, camera.cameraToWorldMatrix, volumeToWorld, gpu.Volume.Geometry,
+            PictureRayBundle rays = CameraRays.Bundle(camera.projectionMatrix, camera.cameraToWorldMatrix, volumeToWorld, shown.Volume.Geometry,
                 width > 0 ? width : camera.pixelWidth, height > 0 ? height : camera.pixelHeight);
-            return Finish(rays, gpu.Pictures.Of(camera));
+            return Finish(shown, rays, shown.Pictures.Of(camera));
         }
 
         /// <summary>Makes the picture that rays of one's own see.</summary>
@@ -134,30 +124,29 @@ namespace AnatomyCarve
         /// <param name="picture">Where to; null = a picture that the next call without one uses again.</param>
         /// <returns>The picture; null while there is nothing to show, as with a camera.</returns>
         /// <exception cref="ArgumentNullException"><paramref name="rays"/> is null.</exception>
+        /// <exception cref="ArgumentException">The picture's scene depth is of another size.</exception>
         public CarvedPicture Render(PictureRays rays, CarvedPicture picture = null)
         {
             if (rays == null)
                 throw new ArgumentNullException(nameof(rays));
-            return Prepare() ? Finish(new PictureRayBundle(rays), picture ?? gpu.Pictures.OfRays()) : null;
+            VolumeGpu shown = Shown();
+            return shown == null ? null : Finish(shown, new PictureRayBundle(rays), picture ?? shown.Pictures.OfRays());
         }
 
         /// <summary>Frees all GPU memory; the next picture takes it again. Pictures that this renderer returned are freed too.</summary>
-        public void ReleaseResources()
-        {
-            gpu?.Dispose();
-            gpu = null;
-            refused = null;
-        }
+        public void ReleaseResources() => gpu.Release();
 
         void LateUpdate()
         {
-            if (gpu != null && gpu.Volume != Volume)
-                ReleaseResources();
-            if (Volume == null)
-                field.Clear();
+            KeepOnly(Volume);
+            gpu.Gpu?.Pictures.DropGone();
         }
 
-        void OnDisable() => ReleaseResources();
+        void OnDisable()
+        {
+            ReleaseResources();
+            field.KeepOnly(null);
+        }
 
         void OnValidate()
         {
@@ -165,32 +154,32 @@ namespace AnatomyCarve
             shading?.Clamp();
         }
 
-        /// <summary>Brings the GPU up to date; false where there is nothing to show.</summary>
-        bool Prepare()
+        /// <summary>A volume is large: none is held that is not shown.</summary>
+        void KeepOnly(SegmentedVolume volume)
         {
-            SegmentedVolume volume = Volume;
-            if (gpu != null && gpu.Volume != volume)
-                ReleaseResources();
-            if (volume == null || volume == refused || !isActiveAndEnabled)
-                return false;
-            gpu ??= VolumeGpu.TryCreate(volume, statistics, out string problem) ?? Refuse(volume, problem);
-            gpu?.Update(CarvingOf(volume), TransferFunction, Segments, quality);
-            return gpu != null;
+            gpu.KeepOnly(volume);
+            field.KeepOnly(volume);
+            settings.SegmentsFor(volume);
         }
 
-        CarvedPicture Finish(in PictureRayBundle rays, CarvedPicture picture)
+        CarvedPicture Finish(VolumeGpu shown, in PictureRayBundle rays, CarvedPicture picture)
         {
-            gpu.Render(rays, quality, shading, CountSamples, picture);
-            return picture;
+            try
+            {
+                shown.Update(CarvingOf(shown.Volume), TransferFunction, Segments, quality);
+                shown.Render(rays, quality, shading, CountSamples, picture);
+                return picture;
+            }
+            catch (AnatomyCarveException e)
+            {
+                gpu.Refuse(shown.Volume, e.Message, this);
+                return null;
+            }
         }
 
-        VolumeGpu Refuse(SegmentedVolume volume, string problem)
-        {
-            refused = volume;
-            Debug.LogError($"{name}: this volume cannot be shown. {problem}", this);
-            return null;
-        }
+        VolumeGpu Shown() => isActiveAndEnabled ? gpu.For(Volume, this) : null;
 
-        CarvingSnapshot CarvingOf(SegmentedVolume volume) => Stack != null && Stack.Carving != null && Stack.Loader.Volume == volume ? Stack.Carving.State : null;
+        CarvingSnapshot CarvingOf(SegmentedVolume volume) =>
+            Stack != null && Stack.Carving != null && Stack.Loader.Volume == volume ? Stack.Carving.State : null;
     }
 }

@@ -15,13 +15,13 @@ namespace AnatomyCarve
     public sealed class ClipSphereStack : MonoBehaviour
     {
         [SerializeField, Tooltip("The volume to carve; empty = the one on this GameObject")]
-        private VolumeLoader loader;
+        VolumeLoader loader;
 
         [SerializeField, Range(0.05f, 1f), Tooltip("Radius of the new active sphere when the active one is fixed, relative to the old one")]
-        private float activeRadiusFactor = CarvingStack.DefaultActiveRadiusFactor;
+        float activeRadiusFactor = CarvingStack.DefaultActiveRadiusFactor;
 
         [SerializeField, Min(0), Tooltip("How many edits can be undone")]
-        private int historyLimit = CarvingStack.DefaultHistoryLimit;
+        int historyLimit = CarvingStack.DefaultHistoryLimit;
 
         SegmentedVolume carved;
         CarvingStack carving;
@@ -33,12 +33,7 @@ namespace AnatomyCarve
         /// <summary>The volume that is carved: the one that was set, or else the one on this GameObject. Null if there is none.</summary>
         public VolumeLoader Loader
         {
-            get
-            {
-                if (loader == null)
-                    TryGetComponent(out loader);
-                return loader;
-            }
+            get => this.WiredOrSibling(ref loader);
             set => loader = value;
         }
 
@@ -130,7 +125,7 @@ namespace AnatomyCarve
         }
 
         /// <summary>Replaces the carving by one from a JSON file. It can be undone. If the file cannot be read, the carving stays as it is.</summary>
-        /// <returns>What does not fit this volume, as sentences; empty = all of it fits.</returns>
+        /// <returns>What does not fit this volume, as sentences, which are logged as warnings too; empty = all of it fits.</returns>
         /// <exception cref="InvalidOperationException">No volume is loaded.</exception>
         /// <exception cref="CarvingFileException">The file cannot be read, is not a carving, or is of a version that this package does not know.</exception>
         public IReadOnlyList<string> Load(string path)
@@ -138,10 +133,15 @@ namespace AnatomyCarve
             CarvingStack stack = Required();
             CarvingDocument document = CarvingFile.Read(path);
             CarvingBinding binding = CarvingBinding.Bind(document, carved.Segments);
+            loaded = document; // before the change is raised: a listener may save
             stack.Replace(binding.Fixed, binding.Active);
-            loaded = document;
+            foreach (string warning in binding.Warnings)
+                Debug.LogWarning(warning, this);
             return binding.Warnings;
         }
+
+        /// <summary>Lets go of a volume that was unloaded.</summary>
+        void LateUpdate() => _ = Carving;
 
         void OnValidate()
         {

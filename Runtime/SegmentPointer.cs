@@ -15,13 +15,13 @@ namespace AnatomyCarve
     public sealed class SegmentPointer : MonoBehaviour
     {
         [SerializeField, Tooltip("The volume to point at; empty = the one on this GameObject or its parents")]
-        private CarvedVolumeRenderer target;
+        CarvedVolumeRenderer target;
 
         [SerializeField, Tooltip("Point along the forward axis in each LateUpdate")]
-        private bool autoPoint = true;
+        bool autoPoint = true;
 
         [SerializeField, Min(0f), Tooltip("How far it points, in world units")]
-        private float maxDistance = 10f;
+        float maxDistance = 10f;
 
         /// <summary>Raised when another segment is pointed at, or none any more.</summary>
         public event Action<SegmentHit> Changed;

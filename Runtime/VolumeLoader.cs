@@ -1,5 +1,4 @@
 using System;
-using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
 using AnatomyCarve.Volumes;
@@ -17,16 +16,16 @@ namespace AnatomyCarve
     public sealed class VolumeLoader : MonoBehaviour
     {
         [SerializeField, Tooltip("NIfTI or NRRD file with intensities; a relative path counts from StreamingAssets")]
-        private string intensityPath = "";
+        string intensityPath = "";
 
         [SerializeField, Tooltip("NIfTI or NRRD file with labels on the same grid; empty = everything is unlabelled")]
-        private string labelsPath = "";
+        string labelsPath = "";
 
         [SerializeField, Tooltip("Load these files when the scene starts")]
-        private bool loadOnStart = true;
+        bool loadOnStart = true;
 
         CancellationTokenSource loading;
-        volatile float progress;
+        LoadProgress newest;
 
         /// <summary>Raised on the main thread when another volume has been loaded or set.</summary>
         public event Action<SegmentedVolume> Loaded;
@@ -38,7 +37,7 @@ namespace AnatomyCarve
         public SegmentedVolume Volume { get; private set; }
 
         /// <summary>Progress of the load that runs or ran last, 0 to 1.</summary>
-        public float Progress => progress;
+        public float Progress => newest?.Value ?? 0f;
 
         /// <summary>Whether a load is running.</summary>
         public bool IsLoading => loading != null;
@@ -66,18 +65,20 @@ namespace AnatomyCarve
 
         /// <summary>
         /// Loads a volume. Files are read on another thread; a load that is still running is cancelled. Call it on the main thread, where it
-        /// also ends. If it fails or is cancelled, the volume that was there stays.
+        /// also ends. If it fails or is cancelled, the volume that was there stays. What was odd in the files is logged, a warning each.
         /// </summary>
-        /// <param name="intensityPath">File with intensities (NIfTI-1 or NRRD).</param>
-        /// <param name="labelsPath">File with labels on the same grid; null or empty = everything is unlabelled.</param>
+        /// <param name="intensityPath">File with intensities (NIfTI-1 or NRRD). A relative path counts from StreamingAssets.</param>
+        /// <param name="labelsPath">File with labels on the same grid, path likewise; null or empty = everything is unlabelled.</param>
         /// <param name="cancellationToken">Stops the load; destroying the component and quitting do so too.</param>
         /// <param name="progress">Gets 0 to 1 on the thread that reads; a <see cref="Progress{T}"/> made on the main thread brings it there.</param>
         /// <returns>The volume, which is <see cref="Volume"/> by then.</returns>
         /// <exception cref="ArgumentException">There is no path.</exception>
         /// <exception cref="VolumeFormatException">A file cannot be read.</exception>
         /// <exception cref="VolumeMismatchException">The two files are on different grids.</exception>
+        /// <exception cref="AnatomyCarveException">A file lies inside the application's package, as StreamingAssets does on Android.</exception>
         /// <exception cref="OperationCanceledException">The load was cancelled, or another one was started.</exception>
-        public async Task<SegmentedVolume> LoadAsync(string intensityPath, string labelsPath = null, CancellationToken cancellationToken = default, IProgress<float> progress = null)
+        public async Task<SegmentedVolume> LoadAsync(
+            string intensityPath, string labelsPath = null, CancellationToken cancellationToken = default, IProgress<float> progress = null)
         {
             if (string.IsNullOrEmpty(intensityPath))
                 throw new ArgumentException("A volume needs a file with intensities.", nameof(intensityPath));
@@ -86,12 +87,15 @@ namespace AnatomyCarve
             {
                 loading = source;
                 CancellationToken token = source.Token;
-                var relay = new ProgressRelay(this, progress);
+                var relay = new LoadProgress(progress);
+                newest = relay;
                 SegmentedVolume volume;
                 try
                 {
                     relay.Report(0f);
-                    volume = await Task.Run(() => VolumeReading.Read(intensityPath, labelsPath, token, relay), token);
+                    string intensity = VolumePaths.Resolve(intensityPath, Application.streamingAssetsPath);
+                    string labels = VolumePaths.Resolve(labelsPath, Application.streamingAssetsPath);
+                    volume = await Task.Run(() => VolumeReading.Read(intensity, labels, token, relay), token);
                     token.ThrowIfCancellationRequested();
                 }
                 catch (Exception e) when (!(e is OperationCanceledException))
@@ -106,6 +110,8 @@ namespace AnatomyCarve
                         loading = null;
                 }
                 relay.Report(1f);
+                foreach (string warning in volume.Warnings)
+                    Debug.LogWarning(warning, this);
                 Publish(volume);
                 return volume;
             }
@@ -141,7 +147,7 @@ namespace AnatomyCarve
                 return;
             try
             {
-                await LoadAsync(InStreamingAssets(intensityPath), labelsPath.Length == 0 ? null : InStreamingAssets(labelsPath));
+                await LoadAsync(intensityPath, labelsPath);
             }
             catch (OperationCanceledException)
             {
@@ -163,27 +169,6 @@ namespace AnatomyCarve
         {
             Volume = volume;
             Loaded?.Invoke(volume);
-        }
-
-        static string InStreamingAssets(string path) => Path.IsPathRooted(path) ? path : Path.Combine(Application.streamingAssetsPath, path);
-
-        /// <summary>Passes progress on from the thread that reads.</summary>
-        sealed class ProgressRelay : IProgress<float>
-        {
-            readonly VolumeLoader loader;
-            readonly IProgress<float> next;
-
-            public ProgressRelay(VolumeLoader loader, IProgress<float> next)
-            {
-                this.loader = loader;
-                this.next = next;
-            }
-
-            public void Report(float value)
-            {
-                loader.progress = value;
-                next?.Report(value);
-            }
         }
     }
 }

@@ -32,6 +32,37 @@ float3 MmToIndexVector(float3 v)
     return float3(dot(_MmToIndex0.xyz, v), dot(_MmToIndex1.xyz, v), dot(_MmToIndex2.xyz, v));
 }
 
+// Opacity between voxels, from the eight around, in float and in the order of the CPU twin (x, then y, then z). Beyond the border the
+// nearest repeat.
+float ExactOpacityAt(float3 index)
+{
+    float3 corner = floor(index);
+    float3 part = index - corner;
+    int3 last = _VolumeDims.xyz - 1;
+    int3 a = clamp(int3(corner), int3(0, 0, 0), last);
+    int3 b = clamp(int3(corner) + 1, int3(0, 0, 0), last);
+    float4 low = float4(
+        _OpacityAA.Load(int4(a, 0)), _OpacityAA.Load(int4(a.x, b.y, a.z, 0)), _OpacityAA.Load(int4(a.xy, b.z, 0)), _OpacityAA.Load(int4(a.x, b.yz, 0)));
+    float4 high = float4(
+        _OpacityAA.Load(int4(b.x, a.yz, 0)), _OpacityAA.Load(int4(b.xy, a.z, 0)), _OpacityAA.Load(int4(b.x, a.y, b.z, 0)), _OpacityAA.Load(int4(b, 0)));
+    float4 alongX = low + part.x * (high - low);
+    float2 alongY = alongX.xz + part.y * (alongX.yw - alongX.xz);
+    return alongY.x + part.z * (alongY.y - alongY.x);
+}
+
+// The texture filters of many devices have 8 bits of precision, in the weights or in the result: fast, but not quite what the CPU's pointer
+// computes. The branch is the same for all rays.
+float OpacityAt(float3 index)
+{
+    float opacity;
+    [branch]
+    if (_March.w > 0.0)
+        opacity = ExactOpacityAt(index);
+    else
+        opacity = _OpacityAA.SampleLevel(sampler_LinearClamp, (index + 0.5) / float3(_VolumeDims.xyz), 0.0);
+    return opacity;
+}
+
 // Narrows [nearT, farT] to the part of a ray (index space) inside the volume's box; false when nothing is left.
 bool ClipToVolume(float3 start, float3 velocity, inout float nearT, inout float farT)
 {
@@ -65,9 +96,6 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT)
         uint stepCount = (uint)ceil(steps);
         float3 first = start + nearT * velocity; // index space
         float3 perStep = stepT * velocity;
-        float3 dims = float3(_VolumeDims.xyz);
-        float3 firstTexture = (first + 0.5) / dims;
-        float3 perStepTexture = perStep / dims;
         int3 lookedUp = int3(-2, -2, -2); // the corner whose segment is known: no ray gets there
         uint segment = NO_SEGMENT;
         float3 segmentColor = float3(0.0, 0.0, 0.0);
@@ -82,7 +110,7 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT)
             {
                 begin = float(n);
                 end = min(begin + 1.0, steps);
-                opacity = _OpacityAA.SampleLevel(sampler_LinearClamp, firstTexture + 0.5 * (begin + end) * perStepTexture, 0.0);
+                opacity = OpacityAt(first + 0.5 * (begin + end) * perStep);
                 n++;
             }
             if (opacity > 0.0)
@@ -98,7 +126,8 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT)
                 float before = result.color.a;
                 float lengths = (end - begin) * _March.x; // of the step, in reference lengths
                 float logPassing = lengths * log2(max(1.0 - opacity, 1e-30)); // of the light that passes the step
-                float weight = (1.0 - before) * (1.0 - exp2(logPassing));
+                float passing = opacity < 1.0 ? exp2(logPassing) : 0.0; // matter of opacity 1 stops all light, however short the step
+                float weight = (1.0 - before) * (1.0 - passing);
                 result.color.rgb += weight * BlinnPhong(segmentColor, BlendedNormal(index), toViewer);
                 result.color.a = before + weight;
                 if (!seen && result.color.a >= _March.z)

@@ -46,7 +46,7 @@ cbuffer RaymarchView
     float4 _RayDirectionDx;
     float4 _RayDirectionDy;
     float4 _RayRange;          // x: nearest, y: farthest t that is looked at
-    float4 _March;             // x: step in reference lengths; y: alpha at which a ray ends; z: alpha that makes a segment visible
+    float4 _March;             // x: step in reference lengths; y: alpha at which a ray ends; z: alpha that makes a segment visible; w: 1 = exact filter
     float4 _LightDirection;    // xyz: unit vector towards the light, centred mm
     float4 _LightColor;        // rgb: linear
     float4 _Shading;           // x: ambient; y: diffuse; z: specular; w: shininess

@@ -2,26 +2,27 @@ using System;
 using System.Collections.Generic;
 using System.Diagnostics;
 
-namespace AnatomyCarve.Headless.Cli;
-
-/// <summary>How long the steps of a command took.</summary>
-internal sealed class StepTimes
+namespace AnatomyCarve.Headless.Cli
 {
-    private readonly Dictionary<string, double> milliseconds = [];
-
-    public IReadOnlyDictionary<string, double> Milliseconds => milliseconds;
-
-    public T Measure<T>(string step, Func<T> action)
+    /// <summary>How long the steps of a command took.</summary>
+    sealed class StepTimes
     {
-        var clock = Stopwatch.StartNew();
-        var result = action();
-        milliseconds[step] = clock.Elapsed.TotalMilliseconds;
-        return result;
+        readonly Dictionary<string, double> milliseconds = [];
+
+        public IReadOnlyDictionary<string, double> Milliseconds => milliseconds;
+
+        public T Measure<T>(string step, Func<T> action)
+        {
+            var clock = Stopwatch.StartNew();
+            var result = action();
+            milliseconds[step] = clock.Elapsed.TotalMilliseconds;
+            return result;
+        }
+
+        public object Measure(string step, Action action) => Measure<object>(step, () =>
+        {
+            action();
+            return null;
+        });
     }
-
-    public object Measure(string step, Action action) => Measure<object>(step, () =>
-    {
-        action();
-        return null;
-    });
 }

@@ -113,7 +113,8 @@ typedef HRESULT(WINAPI *GetStatus)(DxcObject *result, HRESULT *status);
 typedef HRESULT(WINAPI *GetOutput)(DxcObject *result, int kind, const GUID *face, DxcObject **blob, void *name);
 typedef const char *(WINAPI *GetStringPointer)(DxcObject *blob);
 
-enum { UTILS_CREATE_INCLUDE_HANDLER = 9, COMPILER_COMPILE = 3, RESULT_GET_STATUS = 3, RESULT_GET_OUTPUT = 7, BLOB_GET_POINTER = 3, OUTPUT_ERRORS = 2, UTF8 = 65001 };
+enum { UTILS_CREATE_INCLUDE_HANDLER = 9, COMPILER_COMPILE = 3, RESULT_GET_STATUS = 3, RESULT_GET_OUTPUT = 7, BLOB_GET_POINTER = 3 };
+enum { OUTPUT_ERRORS = 2, UTF8 = 65001 };
 static const GUID DxcCompilerClass = {0x73e22d93, 0xe6ce, 0x47f3, {0xb5, 0xbf, 0xf0, 0x66, 0x4f, 0x39, 0xc1, 0xb0}};
 static const GUID DxcUtilsClass = {0x6245d6af, 0x66e0, 0x48fd, {0x80, 0xb4, 0x4d, 0x27, 0x17, 0x96, 0x74, 0x8c}};
 static const GUID FaceDxcUtils = {0x4605c4cb, 0x2019, 0x492a, {0xad, 0xa4, 0x65, 0xf2, 0x0b, 0xb7, 0xd6, 0x7f}};

@@ -6,7 +6,8 @@ using UnityEngine;
 
 namespace AnatomyCarve.Headless
 {
-    /// <summary>A running engine: what Unity's player executable is to a game. One at a time per process; the thread that starts it is the main thread.</summary>
+    /// <summary>A running engine: what Unity's player executable is to a game. One at a time per process; the thread that starts it is the main
+    /// thread.</summary>
     public sealed class UnityHost : IDisposable
     {
         /// <summary>One frame of a headset, in seconds.</summary>

@@ -23,7 +23,8 @@ namespace UnityEngine.TestTools
         static LogScope s_Current;
 
         /// <exception cref="InvalidOperationException">No test runs.</exception>
-        internal static LogScope Current => s_Current ?? throw new InvalidOperationException("No log scope is available: LogAssert works in tests that run on the host only");
+        internal static LogScope Current =>
+            s_Current ?? throw new InvalidOperationException("No log scope is available: LogAssert works in tests that run on the host only");
 
         internal bool IgnoresFailures { get; set; }
 
@@ -55,7 +56,8 @@ namespace UnityEngine.TestTools
                 // Each failure is reported once.
                 failing.ForEach(l => l.IsExpected = true);
                 if (failing.Count > 0 && !IgnoresFailures)
-                    throw new LogFailureException($"Unhandled log message: '{failing[0]}'. Use UnityEngine.TestTools.LogAssert.Expect\n{failing[0].StackTrace}");
+                    throw new LogFailureException($"Unhandled log message: '{failing[0]}'. Use "
+                        + $"UnityEngine.TestTools.LogAssert.Expect\n{failing[0].StackTrace}");
                 if (!isEnd || m_Expected.Count == 0)
                     return;
                 var missing = m_Expected[0];

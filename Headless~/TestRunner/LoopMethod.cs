@@ -74,7 +74,8 @@ namespace UnityEngine.TestTools
             }
         }
 
-        public T[] GetCustomAttributes<T>(bool inherit) where T : class => m_Method.GetCustomAttributes<T>(inherit).Where(a => a is not TimeoutAttribute).ToArray();
+        public T[] GetCustomAttributes<T>(bool inherit) where T : class =>
+            m_Method.GetCustomAttributes<T>(inherit).Where(a => a is not TimeoutAttribute).ToArray();
 
         bool IReflectionInfo.IsDefined<T>(bool inherit) => m_Method.IsDefined<T>(inherit);
 

@@ -72,7 +72,8 @@ namespace UnityEngine.TestTools
         static bool MustExpectAllLogs(ITest test)
         {
             var method = test.Method?.MethodInfo;
-            var attribute = method?.GetCustomAttribute<TestMustExpectAllLogsAttribute>() ?? method?.DeclaringType?.GetCustomAttribute<TestMustExpectAllLogsAttribute>() ??
+            var attribute = method?.GetCustomAttribute<TestMustExpectAllLogsAttribute>() ??
+                method?.DeclaringType?.GetCustomAttribute<TestMustExpectAllLogsAttribute>() ??
                 method?.DeclaringType?.Assembly.GetCustomAttribute<TestMustExpectAllLogsAttribute>();
             return attribute is { MustExpect: true };
         }

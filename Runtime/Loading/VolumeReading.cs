@@ -1,4 +1,7 @@
 using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
 using System.Threading;
 using AnatomyCarve.Formats;
 using AnatomyCarve.Volumes;
@@ -12,7 +15,9 @@ namespace AnatomyCarve
         const float ReadIntensity = 0.3f, ConvertIntensity = 0.25f, ReadLabels = 0.2f, ConvertLabels = 0.25f;
 
         /// <param name="intensityPath">A file with intensities.</param>
-        /// <param name="labelsPath">A file with labels on the same grid; null or empty = everything is unlabelled.</param>
+        /// <param name="labelsPath">
+        /// A file with labels on the same grid, or on a part of it, in any orientation; null or empty = everything is unlabelled.
+        /// </param>
         /// <param name="cancellationToken">Stops reading.</param>
         /// <param name="progress">Gets 0 to 1, on the thread that reads.</param>
         /// <exception cref="VolumeFormatException">A file cannot be read.</exception>
@@ -21,14 +26,32 @@ namespace AnatomyCarve
         {
             bool labelled = !string.IsNullOrEmpty(labelsPath);
             float whole = labelled ? 1f : ReadIntensity + ConvertIntensity;
+            var warnings = new List<string>();
             VolumeData data = VolumeReader.Read(intensityPath, cancellationToken, new Share(progress, 0f, ReadIntensity / whole));
-            IntensityVolume intensity = IntensityVolume.FromVolumeData(data, 0, cancellationToken, new Share(progress, ReadIntensity / whole, ConvertIntensity / whole));
+            Add(warnings, intensityPath, data.Warnings);
+            if (data.Components > 1)
+                Add(warnings, intensityPath, new[] { $"The file has {data.Components} values per voxel; the first is shown, the others are ignored." });
+            var share = new Share(progress, ReadIntensity / whole, ConvertIntensity / whole);
+            IntensityVolume intensity = IntensityVolume.FromVolumeData(data, 0, cancellationToken, share);
+            Add(warnings, intensityPath, intensity.Warnings);
             if (!labelled)
-                return SegmentedVolume.Unsegmented(intensity);
+                return Prepared(SegmentedVolume.Unsegmented(intensity, warnings));
             data = VolumeReader.Read(labelsPath, cancellationToken, new Share(progress, ReadIntensity + ConvertIntensity, ReadLabels));
-            LabelMap labels = LabelMap.FromVolumeData(data, cancellationToken, new Share(progress, 1f - ConvertLabels, ConvertLabels));
-            return new SegmentedVolume(intensity, labels);
+            LabelMap labels = LabelMap.FromVolumeData(data, cancellationToken, new Share(progress, 1f - ConvertLabels, ConvertLabels))
+                .OnGridOf(intensity.Geometry);
+            Add(warnings, labelsPath, data.Warnings.Concat(labels.Warnings));
+            return Prepared(new SegmentedVolume(intensity, labels, warnings));
         }
+
+        /// <summary>Computes here what the main thread would wait for otherwise.</summary>
+        static SegmentedVolume Prepared(SegmentedVolume volume)
+        {
+            _ = volume.AutomaticTransferFunction;
+            return volume;
+        }
+
+        static void Add(List<string> warnings, string path, IEnumerable<string> sentences) =>
+            warnings.AddRange(sentences.Select(sentence => $"{Path.GetFileName(path)}: {sentence}"));
 
         sealed class Share : IProgress<float>
         {

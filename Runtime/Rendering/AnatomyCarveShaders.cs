@@ -11,16 +11,16 @@ namespace AnatomyCarve
         const string ResourceName = "AnatomyCarveShaders";
 
         [SerializeField, Tooltip("Eq. 1 and the transfer function: which opacity a voxel has")]
-        private ComputeShader clipVoxels = null;
+        ComputeShader clipVoxels = null;
 
         [SerializeField, Tooltip("3D FXAA of the opacity")]
-        private ComputeShader antiAlias = null;
+        ComputeShader antiAlias = null;
 
         [SerializeField, Tooltip("Normals from the anti-aliased opacity")]
-        private ComputeShader sobelNormals = null;
+        ComputeShader sobelNormals = null;
 
         [SerializeField, Tooltip("Direct volume rendering into colour, depth and first visible segment")]
-        private ComputeShader raymarch = null;
+        ComputeShader raymarch = null;
 
         /// <summary>Kernel <c>ClipVoxels</c>: Eq. 1 and the opacity transfer function.</summary>
         public ComputeShader ClipVoxels => clipVoxels;

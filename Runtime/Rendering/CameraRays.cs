@@ -30,7 +30,8 @@ namespace AnatomyCarve
             return ToPictureRays(Bundle(camera.projectionMatrix, camera.cameraToWorldMatrix, volume.localToWorldMatrix, geometry, width, height));
         }
 
-        internal static PictureRayBundle Bundle(Matrix4x4 projection, Matrix4x4 cameraToWorld, Matrix4x4 volumeToWorld, VolumeGeometry geometry, int width, int height)
+        internal static PictureRayBundle Bundle(
+            Matrix4x4 projection, Matrix4x4 cameraToWorld, Matrix4x4 volumeToWorld, VolumeGeometry geometry, int width, int height)
         {
             if (width < 1 || height < 1)
                 throw new ArgumentOutOfRangeException(nameof(width), $"{width} x {height}", "A picture has 1 x 1 pixels at least.");
@@ -60,7 +61,9 @@ namespace AnatomyCarve
             public readonly VectorMm OriginPerX, OriginPerY, Direction, DirectionPerX, DirectionPerY;
             public readonly double Near, Far;
 
-            ViewRays(PointMm origin, VectorMm originPerX, VectorMm originPerY, VectorMm direction, VectorMm directionPerX, VectorMm directionPerY, double near, double far)
+            ViewRays(
+                PointMm origin, VectorMm originPerX, VectorMm originPerY, VectorMm direction, VectorMm directionPerX, VectorMm directionPerY,
+                double near, double far)
             {
                 Origin = origin;
                 OriginPerX = originPerX;

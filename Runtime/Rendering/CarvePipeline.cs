@@ -21,10 +21,9 @@ namespace AnatomyCarve
         static readonly ClipSphere[] NoSpheres = Array.Empty<ClipSphere>();
 
         readonly ComputeKernel clipVoxels, antiAlias, sobelNormals;
-        readonly BrickBuffer allBricks = new BrickBuffer("AnatomyCarve all bricks");
-        readonly BrickBuffer dirtyBricks = new BrickBuffer("AnatomyCarve dirty bricks");
+        readonly BrickBuffer allBricks, dirtyBricks;
         readonly uint[] allPacked, dirtyPacked;
-        readonly BrickGrid bricks;
+        readonly DirtyBrickSet dirty;
         readonly VolumeConstants constants;
         readonly RenderStatistics statistics;
         VolumeTextures textures;
@@ -47,14 +46,20 @@ namespace AnatomyCarve
             clipVoxels = new ComputeKernel(shaders.ClipVoxels, nameof(shaders.ClipVoxels));
             antiAlias = new ComputeKernel(shaders.AntiAlias, nameof(shaders.AntiAlias));
             sobelNormals = new ComputeKernel(shaders.SobelNormals, nameof(shaders.SobelNormals));
-            bricks = new BrickGrid(volume.Geometry);
+            var bricks = new BrickGrid(volume.Geometry);
             constants = new VolumeConstants(volume, bricks);
+            dirty = new DirtyBrickSet(bricks, constants.Grid);
+            allBricks = new BrickBuffer("AnatomyCarve all bricks", bricks);
+            dirtyBricks = new BrickBuffer("AnatomyCarve dirty bricks", bricks);
             allPacked = bricks.PackAll();
             dirtyPacked = new uint[allPacked.Length];
             MakeResources();
         }
 
         public SegmentedVolume Volume { get; }
+
+        /// <summary>Tells this pipeline from others, for those who must not hold its volume.</summary>
+        public object Identity { get; } = new object();
 
         public VolumeConstants Constants => constants;
 
@@ -66,7 +71,8 @@ namespace AnatomyCarve
         public int Version { get; private set; }
 
         /// <summary>Brings the volume's textures up to date with what a picture depends on.</summary>
-        public void Update(CarvingSnapshot carving, OpacityTransferFunction transferFunction, SegmentTable segments, CutMode cut, AntiAliasSettings antiAliasing)
+        public void Update(
+            CarvingSnapshot carving, OpacityTransferFunction transferFunction, SegmentTable segments, CutMode cut, AntiAliasSettings antiAliasing)
         {
             RestoreLost();
             IReadOnlyList<ClipSphere> wanted = carving ?? (IReadOnlyList<ClipSphere>)NoSpheres;
@@ -153,40 +159,37 @@ namespace AnatomyCarve
         void DispatchAll(bool withOpacity)
         {
             if (withOpacity)
-                ClipVoxels(allBricks, bricks.Count);
-            AntiAlias(allBricks, bricks.Count);
-            SobelNormals(allBricks, bricks.Count);
+                ClipVoxels(allBricks);
+            AntiAlias(allBricks);
+            SobelNormals(allBricks);
         }
 
         void DispatchDirty(IReadOnlyList<ClipSphere> wanted, CutMode cut, bool smoothAll)
         {
-            int clipped = UploadDirty(wanted, cut, 0);
-            if (clipped > 0)
-                ClipVoxels(dirtyBricks, clipped);
+            if (UploadDirty(wanted, cut, 0))
+                ClipVoxels(dirtyBricks);
             if (smoothAll)
             {
                 DispatchAll(false);
                 return;
             }
-            int smoothed = UploadDirty(wanted, cut, CarvingReach.AntiAliasVoxels);
-            if (smoothed > 0)
-                AntiAlias(dirtyBricks, smoothed);
-            int normals = UploadDirty(wanted, cut, CarvingReach.NormalsVoxels);
-            if (normals > 0)
-                SobelNormals(dirtyBricks, normals);
+            if (UploadDirty(wanted, cut, CarvingReach.AntiAliasVoxels))
+                AntiAlias(dirtyBricks);
+            if (UploadDirty(wanted, cut, CarvingReach.NormalsVoxels))
+                SobelNormals(dirtyBricks);
         }
 
-        int UploadDirty(IReadOnlyList<ClipSphere> wanted, CutMode cut, int haloVoxels)
+        bool UploadDirty(IReadOnlyList<ClipSphere> wanted, CutMode cut, int haloVoxels)
         {
-            DirtyBricks dirty = DirtyBricks.Between(usedSpheres, wanted, bricks, constants.Grid, cut, haloVoxels);
+            dirty.Compute(usedSpheres, wanted, cut, haloVoxels);
             if (dirty.IsNone)
-                return 0;
+                return false;
             dirty.PackInto(dirtyPacked);
             dirtyBricks.Upload(dirtyPacked, dirty.Count);
-            return dirty.Count;
+            return true;
         }
 
-        void ClipVoxels(BrickBuffer list, int count)
+        void ClipVoxels(BrickBuffer list)
         {
             using (ClipMarker.Auto())
             {
@@ -197,37 +200,37 @@ namespace AnatomyCarve
                 clipVoxels.SetBuffer(ShaderIds.Spheres, spheres.Spheres);
                 clipVoxels.SetBuffer(ShaderIds.MaskWords, spheres.MaskWords);
                 clipVoxels.SetTexture(ShaderIds.OpacityOut, textures.Opacity);
-                Dispatch(clipVoxels, list, count, ref statistics.clipVoxels);
+                Dispatch(clipVoxels, list, ref statistics.clipVoxels);
             }
         }
 
-        void AntiAlias(BrickBuffer list, int count)
+        void AntiAlias(BrickBuffer list)
         {
             using (AntiAliasMarker.Auto())
             {
                 antiAlias.SetTexture(ShaderIds.Opacity, textures.Opacity);
                 antiAlias.SetTexture(ShaderIds.OpacityAAOut, textures.OpacityAA);
-                Dispatch(antiAlias, list, count, ref statistics.antiAlias);
+                Dispatch(antiAlias, list, ref statistics.antiAlias);
             }
         }
 
-        void SobelNormals(BrickBuffer list, int count)
+        void SobelNormals(BrickBuffer list)
         {
             using (NormalsMarker.Auto())
             {
                 sobelNormals.SetTexture(ShaderIds.OpacityAA, textures.OpacityAA);
                 sobelNormals.SetTexture(ShaderIds.NormalsOut, textures.Normals);
-                Dispatch(sobelNormals, list, count, ref statistics.sobelNormals);
+                Dispatch(sobelNormals, list, ref statistics.sobelNormals);
             }
         }
 
-        void Dispatch(in ComputeKernel kernel, BrickBuffer list, int count, ref StageStatistics stage)
+        void Dispatch(in ComputeKernel kernel, BrickBuffer list, ref StageStatistics stage)
         {
-            (int perRow, int rows) = ComputeKernel.SplitGroups(count);
-            constants.Bind(kernel.Shader, count, perRow);
+            (int perRow, int rows) = ComputeKernel.SplitGroups(list.Count);
+            constants.Bind(kernel.Shader, list.Count, perRow);
             kernel.SetBuffer(ShaderIds.Bricks, list.Buffer);
             kernel.Dispatch(perRow, rows);
-            stage.Add(1, count, (long)count * BrickGrid.VoxelsPerBrick);
+            stage.Add(1, list.Count, list.Voxels);
         }
 
         static bool OpacitiesDiffer(SegmentTable a, SegmentTable b)

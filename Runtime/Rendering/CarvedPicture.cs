@@ -16,6 +16,7 @@ namespace AnatomyCarve
     {
         readonly string name;
         PictureInputs shown;
+        uint[] noSamples;
         bool isShown;
 
         /// <summary>A picture without pixels yet, to render into with <see cref="CarvedVolumeRenderer"/>. Dispose it when done.</summary>
@@ -31,7 +32,10 @@ namespace AnatomyCarve
         /// <summary>Colour: R16G16B16A16_SFloat, linear, premultiplied by alpha. Null before the first rendering.</summary>
         public RenderTexture ColorTexture { get; private set; }
 
-        /// <summary>Depth of the first visible segment: R32_SFloat, patient's millimetres along the ray from its origin; infinite where there is none. Null before the first rendering.</summary>
+        /// <summary>
+        /// Depth of the first visible segment: R32_SFloat, patient's millimetres along the ray from its origin; infinite where there is none.
+        /// Null before the first rendering.
+        /// </summary>
         public RenderTexture DepthTexture { get; private set; }
 
         /// <summary>First visible segment: R32_UInt, its index in the segment table; 65535 where there is none. Null before the first rendering.</summary>
@@ -39,7 +43,8 @@ namespace AnatomyCarve
 
         /// <summary>
         /// What hides the volume: a texture of the picture's size with one float per pixel, in the rays' t (for cameras the depth along the view in
-        /// world units). Null = nothing. The picture is made anew in each rendering while it is set, as its contents may have changed.
+        /// world units). Null = nothing. The picture is made anew in each rendering while it is set, as its contents may have changed. A texture of another
+        /// size is refused with an <see cref="ArgumentException"/> when the picture is rendered.
         /// </summary>
         public Texture SceneDepth { get; set; }
 
@@ -92,7 +97,7 @@ namespace AnatomyCarve
                     else if (--missing == 0)
                         result.TrySetResult(data);
                 }
-                catch (AnatomyCarveException e)
+                catch (Exception e)
                 {
                     result.TrySetException(e);
                 }
@@ -136,32 +141,62 @@ namespace AnatomyCarve
         internal void Resize(int width, int height, bool countSamples)
         {
             if (width < 1 || height < 1 || width > SystemInfo.maxTextureSize || height > SystemInfo.maxTextureSize)
-                throw new ArgumentOutOfRangeException(nameof(width), $"{width} x {height}", $"A picture has 1 to {SystemInfo.maxTextureSize} pixels along an axis.");
+                throw new ArgumentOutOfRangeException(
+                    nameof(width), $"{width} x {height}", $"A picture has 1 to {SystemInfo.maxTextureSize} pixels along an axis.");
             bool lost = ColorTexture == null || DepthTexture == null || SegmentTexture == null
                 || !ColorTexture.IsCreated() || !DepthTexture.IsCreated() || !SegmentTexture.IsCreated();
             if (lost || width != Width || height != Height || countSamples != (SampleCounts != null) || (SampleCounts != null && !SampleCounts.IsValid()))
             {
                 Dispose();
-                Width = width;
-                Height = height;
-                ColorTexture = Create("colour", GraphicsFormat.R16G16B16A16_SFloat, FilterMode.Bilinear);
-                DepthTexture = Create("depth", GraphicsFormat.R32_SFloat, FilterMode.Point);
-                SegmentTexture = Create("segments", GraphicsFormat.R32_UInt, FilterMode.Point);
-                if (countSamples)
-                    SampleCounts = new GraphicsBuffer(GraphicsBuffer.Target.Structured, Raymarcher.Groups(width) * Raymarcher.Groups(height), sizeof(uint)) { name = name + " samples" };
+                try
+                {
+                    Make(width, height, countSamples);
+                }
+                catch
+                {
+                    Dispose();
+                    throw;
+                }
             }
         }
 
-        /// <summary>The kernel adds to the counts.</summary>
-        internal void ClearSampleCounts() => SampleCounts?.SetData(new uint[SampleCounts.count]);
+        /// <exception cref="ArgumentException">The scene's depth does not fit a picture of this size.</exception>
+        internal void CheckSceneDepth(int width, int height)
+        {
+            if (SceneDepth != null && (SceneDepth.dimension != TextureDimension.Tex2D || SceneDepth.width != width || SceneDepth.height != height))
+                throw new ArgumentException(
+                    $"The scene's depth '{SceneDepth.name}' is a {SceneDepth.dimension} texture of {SceneDepth.width} x {SceneDepth.height} pixels; "
+                    + $"the picture '{name}' needs Tex2D, {width} x {height}.", nameof(SceneDepth));
+        }
 
-        internal bool Shows(in PictureInputs inputs) => isShown && SceneDepth == null && shown.Equals(inputs);
+        /// <summary>The kernel adds to the counts.</summary>
+        internal void ClearSampleCounts()
+        {
+            if (SampleCounts == null)
+                return;
+            if (noSamples == null || noSamples.Length != SampleCounts.count)
+                noSamples = new uint[SampleCounts.count];
+            SampleCounts.SetData(noSamples);
+        }
+
+        internal bool Shows(in PictureInputs inputs) => isShown && !inputs.HaveSceneDepth && shown.Equals(inputs);
 
         internal void SetShown(in PictureInputs inputs)
         {
             shown = inputs;
             isShown = true;
             Version++;
+        }
+
+        void Make(int width, int height, bool countSamples)
+        {
+            Width = width;
+            Height = height;
+            ColorTexture = Create("colour", GraphicsFormat.R16G16B16A16_SFloat, FilterMode.Bilinear);
+            DepthTexture = Create("depth", GraphicsFormat.R32_SFloat, FilterMode.Point);
+            SegmentTexture = Create("segments", GraphicsFormat.R32_UInt, FilterMode.Point);
+            if (countSamples)
+                SampleCounts = GpuObjects.CreateBuffer(name + " samples", Raymarcher.Groups(width) * Raymarcher.Groups(height), sizeof(uint));
         }
 
         RenderTexture Create(string part, GraphicsFormat format, FilterMode filter)

@@ -15,16 +15,18 @@ namespace AnatomyCarve
         /// <summary>Of the largest textures: intensities and normals.</summary>
         const long BytesPerVoxel = 2;
 
+        /// <summary>What a texture needs that kernels write: LoadStore to be written, Render because the constructor of RenderTexture asks for it.</summary>
+        const GraphicsFormatUsage Written = GraphicsFormatUsage.LoadStore | GraphicsFormatUsage.Render;
+
         static readonly (GraphicsFormat format, GraphicsFormatUsage usage, string what)[] Needed =
         {
             (GraphicsFormat.R16_UNorm, GraphicsFormatUsage.Sample, "intensities"),
             (GraphicsFormat.R8_UInt, GraphicsFormatUsage.Sample, "labels"),
-            (GraphicsFormat.R8_UNorm, GraphicsFormatUsage.LoadStore, "opacity, written by a kernel"),
-            (GraphicsFormat.R8_UNorm, GraphicsFormatUsage.Linear, "opacity, filtered"),
-            (GraphicsFormat.R8G8_UNorm, GraphicsFormatUsage.LoadStore, "normals, written by a kernel"),
-            (GraphicsFormat.R32_SFloat, GraphicsFormatUsage.LoadStore, "depth, written by a kernel"),
-            (GraphicsFormat.R32_UInt, GraphicsFormatUsage.LoadStore, "segments, written by a kernel"),
-            (GraphicsFormat.R16G16B16A16_SFloat, GraphicsFormatUsage.LoadStore, "colour, written by a kernel"),
+            (GraphicsFormat.R8_UNorm, Written | GraphicsFormatUsage.Sample | GraphicsFormatUsage.Linear, "opacity"),
+            (GraphicsFormat.R8G8_UNorm, Written | GraphicsFormatUsage.Sample, "normals"),
+            (GraphicsFormat.R32_SFloat, Written | GraphicsFormatUsage.Sample, "depth and the transfer function"),
+            (GraphicsFormat.R32_UInt, Written, "segments of a picture"),
+            (GraphicsFormat.R16G16B16A16_SFloat, Written | GraphicsFormatUsage.Sample | GraphicsFormatUsage.Linear, "colour"),
             (GraphicsFormat.R32G32B32A32_SFloat, GraphicsFormatUsage.Sample, "segment colours"),
         };
 
@@ -44,9 +46,11 @@ namespace AnatomyCarve
                 return $"{SystemInfo.graphicsDeviceType} on {SystemInfo.graphicsDeviceName} does not support R16_UInt, which {segments} segments need.";
             int largest = Mathf.Min(SystemInfo.maxTexture3DSize, MaxVolumeSize);
             if (geometry.SizeI > largest || geometry.SizeJ > largest || geometry.SizeK > largest)
-                return $"The volume has {geometry.SizeI} x {geometry.SizeJ} x {geometry.SizeK} voxels; {SystemInfo.graphicsDeviceName} allows {largest} along an axis.";
+                return $"The volume has {geometry.SizeI} x {geometry.SizeJ} x {geometry.SizeK} voxels; "
+                    + $"{SystemInfo.graphicsDeviceName} allows {largest} along an axis.";
             if (BytesPerVoxel * geometry.VoxelCount > int.MaxValue)
-                return $"The volume has {geometry.SizeI} x {geometry.SizeJ} x {geometry.SizeK} voxels; a texture holds {int.MaxValue / BytesPerVoxel} of them at most.";
+                return $"The volume has {geometry.SizeI} x {geometry.SizeJ} x {geometry.SizeK} voxels; "
+                    + $"a texture holds {int.MaxValue / BytesPerVoxel} of them at most.";
             return null;
         }
     }

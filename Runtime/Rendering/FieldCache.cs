@@ -10,7 +10,9 @@ namespace AnatomyCarve
     {
         CarvedField field;
 
-        public CarvedField Of(SegmentedVolume volume, CarvingSnapshot carving, OpacityTransferFunction transferFunction, SegmentTable segments, CutMode cut, AntiAliasSettings antiAliasing)
+        public CarvedField Of(
+            SegmentedVolume volume, CarvingSnapshot carving, OpacityTransferFunction transferFunction, SegmentTable segments, CutMode cut,
+            AntiAliasSettings antiAliasing)
         {
             if (field == null || field.Volume != volume)
                 field = new CarvedField(volume);
@@ -18,6 +20,11 @@ namespace AnatomyCarve
             return field;
         }
 
-        public void Clear() => field = null;
+        /// <summary>Lets go of every other volume.</summary>
+        public void KeepOnly(SegmentedVolume volume)
+        {
+            if (field != null && field.Volume != volume)
+                field = null;
+        }
     }
 }

@@ -8,22 +8,22 @@ namespace AnatomyCarve
     public sealed class LightSettings
     {
         [SerializeField, Tooltip("Where the light comes from: x right, y up, z towards the viewer")]
-        private Vector3 direction = new Vector3(-0.3f, 0.4f, 1f);
+        Vector3 direction = new Vector3(-0.3f, 0.4f, 1f);
 
         [SerializeField, Tooltip("The light's colour")]
-        private Color color = Color.white;
+        Color color = Color.white;
 
         [SerializeField, Range(0f, 1f), Tooltip("Light that comes from everywhere")]
-        private float ambient = 0.25f;
+        float ambient = 0.25f;
 
         [SerializeField, Range(0f, 1f), Tooltip("Light that a surface scatters")]
-        private float diffuse = 0.75f;
+        float diffuse = 0.75f;
 
         [SerializeField, Range(0f, 1f), Tooltip("Light that a surface reflects")]
-        private float specular = 0.2f;
+        float specular = 0.2f;
 
         [SerializeField, Range(1f, 256f), Tooltip("How sharp the reflection is")]
-        private float shininess = 24f;
+        float shininess = 24f;
 
         /// <summary>Where the light comes from, as seen in the picture: x right, y up, z towards the viewer. Any length but 0.</summary>
         /// <exception cref="ArgumentOutOfRangeException">The direction is zero or not finite.</exception>
@@ -51,7 +51,7 @@ namespace AnatomyCarve
         public float Ambient
         {
             get => ambient;
-            set => ambient = Checked(value, 0f, 1f, nameof(Ambient));
+            set => ambient = SettingRange.Checked(value, 0f, 1f, nameof(Ambient));
         }
 
         /// <summary>Light that a surface scatters, 0 to 1.</summary>
@@ -59,7 +59,7 @@ namespace AnatomyCarve
         public float Diffuse
         {
             get => diffuse;
-            set => diffuse = Checked(value, 0f, 1f, nameof(Diffuse));
+            set => diffuse = SettingRange.Checked(value, 0f, 1f, nameof(Diffuse));
         }
 
         /// <summary>Light that a surface reflects, 0 to 1.</summary>
@@ -67,7 +67,7 @@ namespace AnatomyCarve
         public float Specular
         {
             get => specular;
-            set => specular = Checked(value, 0f, 1f, nameof(Specular));
+            set => specular = SettingRange.Checked(value, 0f, 1f, nameof(Specular));
         }
 
         /// <summary>The reflection's exponent, 1 to 256.</summary>
@@ -75,7 +75,7 @@ namespace AnatomyCarve
         public float Shininess
         {
             get => shininess;
-            set => shininess = Checked(value, 1f, 256f, nameof(Shininess));
+            set => shininess = SettingRange.Checked(value, 1f, 256f, nameof(Shininess));
         }
 
         internal void Clamp()
@@ -87,9 +87,5 @@ namespace AnatomyCarve
             specular = Mathf.Clamp01(specular);
             shininess = Mathf.Clamp(shininess, 1f, 256f);
         }
-
-        static float Checked(float value, float min, float max, string name) => value >= min && value <= max
-            ? value
-            : throw new ArgumentOutOfRangeException(name, value, FormattableString.Invariant($"{name} is {min} to {max}."));
     }
 }

@@ -21,9 +21,17 @@ namespace AnatomyCarve
         public LookupTextures(int segmentCount)
         {
             int rows = (segmentCount + SegmentsPerRow - 1) / SegmentsPerRow;
-            colors = new Color[rows * SegmentsPerRow];
-            TransferFunction = Create("transfer function", OpacityLookup.LastEntry + 1, 1, GraphicsFormat.R32_SFloat);
-            SegmentColors = Create("segment colours", SegmentsPerRow, rows, GraphicsFormat.R32G32B32A32_SFloat);
+            try
+            {
+                TransferFunction = Create("transfer function", OpacityLookup.LastEntry + 1, 1, GraphicsFormat.R32_SFloat);
+                SegmentColors = Create("segment colours", SegmentsPerRow, rows, GraphicsFormat.R32G32B32A32_SFloat);
+                colors = new Color[rows * SegmentsPerRow];
+            }
+            catch
+            {
+                Dispose();
+                throw;
+            }
         }
 
         public Texture2D TransferFunction { get; }

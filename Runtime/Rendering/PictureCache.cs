@@ -41,7 +41,8 @@ namespace AnatomyCarve
             ofRays = null;
         }
 
-        void DropGone()
+        /// <summary>Frees the pictures of cameras that were destroyed.</summary>
+        public void DropGone()
         {
             foreach (KeyValuePair<Camera, CarvedPicture> entry in ofCameras)
                 if (entry.Key == null)

@@ -65,7 +65,9 @@ namespace AnatomyCarve
         {
             NativeArray<ushort> halves = Get<ushort>(request, "colour");
             for (int p = 0; p < Color.Length; p++)
-                Color[p] = new Color(Mathf.HalfToFloat(halves[4 * p]), Mathf.HalfToFloat(halves[4 * p + 1]), Mathf.HalfToFloat(halves[4 * p + 2]), Mathf.HalfToFloat(halves[4 * p + 3]));
+                Color[p] = new Color(
+                    Mathf.HalfToFloat(halves[4 * p]), Mathf.HalfToFloat(halves[4 * p + 1]),
+                    Mathf.HalfToFloat(halves[4 * p + 2]), Mathf.HalfToFloat(halves[4 * p + 3]));
         }
 
         internal void TakeDepth(AsyncGPUReadbackRequest request) => Get<float>(request, "depth").CopyTo(DepthMm);

@@ -6,28 +6,35 @@ namespace AnatomyCarve
     /// <summary>Everything that a picture depends on, by value; a picture whose inputs have not changed is not made again.</summary>
     readonly struct PictureInputs : IEquatable<PictureInputs>
     {
-        readonly CarvePipeline pipeline;
+        readonly object volume;
         readonly int pipelineVersion;
         readonly PictureRayBundle rays;
-        readonly Vector3 march;
+        readonly Vector4 march;
         readonly Vector3 lightDirection;
         readonly Color lightColor;
         readonly Vector4 shading;
         readonly bool countSamples;
+        readonly Texture sceneDepth;
 
-        public PictureInputs(CarvePipeline pipeline, in PictureRayBundle rays, RenderQuality quality, LightSettings light, bool countSamples)
+        public PictureInputs(
+            CarvePipeline pipeline, in PictureRayBundle rays, RenderQuality quality, LightSettings light, bool countSamples, Texture sceneDepth)
         {
-            this.pipeline = pipeline;
+            volume = pipeline.Identity;
             pipelineVersion = pipeline.Version;
             this.rays = rays;
-            march = new Vector3(quality.Step, quality.OpaqueAlpha, quality.FirstVisibleAlpha);
+            march = quality.March;
             lightDirection = light.Direction;
             lightColor = light.Color;
             shading = new Vector4(light.Ambient, light.Diffuse, light.Specular, light.Shininess);
             this.countSamples = countSamples;
+            this.sceneDepth = sceneDepth != null ? sceneDepth : null; // a destroyed one is none
         }
 
-        public bool Equals(PictureInputs other) => ReferenceEquals(pipeline, other.pipeline) && pipelineVersion == other.pipelineVersion
+        /// <summary>Whether something may hide the volume; its contents may change at any time.</summary>
+        public bool HaveSceneDepth => sceneDepth is object;
+
+        public bool Equals(PictureInputs other) => ReferenceEquals(volume, other.volume) && pipelineVersion == other.pipelineVersion
+            && ReferenceEquals(sceneDepth, other.sceneDepth)
             && countSamples == other.countSamples && march.Equals(other.march) && lightDirection.Equals(other.lightDirection)
             && lightColor.Equals(other.lightColor) && shading.Equals(other.shading) && rays.Equals(other.rays);
 

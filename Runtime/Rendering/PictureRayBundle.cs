@@ -11,7 +11,9 @@ namespace AnatomyCarve
     /// </summary>
     readonly struct PictureRayBundle : IEquatable<PictureRayBundle>
     {
-        public PictureRayBundle(int width, int height, PointMm origin, VectorMm originDx, VectorMm originDy, VectorMm direction, VectorMm directionDx, VectorMm directionDy, double nearT, double farT)
+        public PictureRayBundle(
+            int width, int height, PointMm origin, VectorMm originDx, VectorMm originDy, VectorMm direction, VectorMm directionDx, VectorMm directionDy,
+            double nearT, double farT)
         {
             Width = width;
             Height = height;
@@ -26,7 +28,8 @@ namespace AnatomyCarve
         }
 
         public PictureRayBundle(PictureRays rays)
-            : this(rays.Width, rays.Height, rays.Origin, rays.OriginDx, rays.OriginDy, rays.Direction, rays.DirectionDx, rays.DirectionDy, rays.NearT, rays.FarT)
+            : this(rays.Width, rays.Height, rays.Origin, rays.OriginDx, rays.OriginDy, rays.Direction, rays.DirectionDx, rays.DirectionDy,
+                rays.NearT, rays.FarT)
         {
         }
 

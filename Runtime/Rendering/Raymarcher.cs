@@ -27,18 +27,22 @@ namespace AnatomyCarve
         }
 
         /// <summary>Writes a picture, unless it already shows just that.</summary>
-        public void Render(CarvePipeline pipeline, in PictureRayBundle rays, RenderQuality quality, LightSettings light, bool countSamples, CarvedPicture picture)
+        /// <exception cref="ArgumentException">The scene's depth does not fit the picture.</exception>
+        /// <exception cref="AnatomyCarveException">The device could not make the picture's textures.</exception>
+        public void Render(
+            CarvePipeline pipeline, in PictureRayBundle rays, RenderQuality quality, LightSettings light, bool countSamples, CarvedPicture picture)
         {
+            picture.CheckSceneDepth(rays.Width, rays.Height);
             picture.Resize(rays.Width, rays.Height, countSamples);
-            var shown = new PictureInputs(pipeline, rays, quality, light, countSamples);
+            var shown = new PictureInputs(pipeline, rays, quality, light, countSamples, picture.SceneDepth);
             if (picture.Shows(shown))
                 return;
             using (Marker.Auto())
             {
                 picture.ClearSampleCounts();
                 pipeline.Constants.Bind(kernel.Shader, 0, 1);
-                SetView(rays, picture.SceneDepth != null, pipeline.Volume.Geometry.CentreLps);
-                kernel.Shader.SetVector(ShaderIds.March, new Vector4(quality.Step, quality.OpaqueAlpha, quality.FirstVisibleAlpha, 0f));
+                SetView(rays, shown.HaveSceneDepth, pipeline.Volume.Geometry.CentreLps);
+                kernel.Shader.SetVector(ShaderIds.March, quality.March);
                 SetLight(rays, light);
                 SetTextures(pipeline, picture);
                 if (countSamples)
@@ -107,7 +111,11 @@ namespace AnatomyCarve
         {
             if (noSceneDepth == null)
             {
-                noSceneDepth = new Texture2D(1, 1, GraphicsFormat.R32_SFloat, TextureCreationFlags.None) { name = "AnatomyCarve no scene depth", hideFlags = HideFlags.HideAndDontSave };
+                noSceneDepth = new Texture2D(1, 1, GraphicsFormat.R32_SFloat, TextureCreationFlags.None)
+                {
+                    name = "AnatomyCarve no scene depth",
+                    hideFlags = HideFlags.HideAndDontSave,
+                };
                 noSceneDepth.Apply(false, false);
             }
             return noSceneDepth;

@@ -5,6 +5,19 @@ using UnityEngine;
 
 namespace AnatomyCarve
 {
+    /// <summary>How the opacity between voxels is read along a ray.</summary>
+    public enum OpacityFilter
+    {
+        /// <summary>
+        /// By the GPU's texture filter. Its precision is the driver's, often 8 bits: pointing may then differ from the picture where matter is
+        /// semi-transparent.
+        /// </summary>
+        Hardware,
+
+        /// <summary>From the eight voxels around, in float: picture and pointer agree.</summary>
+        Exact,
+    }
+
     /// <summary>What a picture may cost: the ray's step, how cuts are made, anti-aliasing, and where rays stop.</summary>
     [Serializable]
     public sealed class RenderQuality
@@ -16,29 +29,32 @@ namespace AnatomyCarve
         public const float MaxStep = 4f;
 
         [SerializeField, Range(MinStep, MaxStep), Tooltip("Distance of samples along a ray, in reference lengths (the smallest spacing)")]
-        private float step = 0.5f;
+        float step = 0.5f;
 
         [SerializeField, Tooltip("Binary: Eq. 1, a voxel is clipped or not. Smooth: by the share of the voxel that lies inside the sphere")]
-        private CutMode cutMode = CutMode.Smooth;
+        CutMode cutMode = CutMode.Binary;
 
         [SerializeField, Range(0f, 1f), Tooltip("How much of the 3D anti-aliasing is applied; 0 = none")]
-        private float antiAliasing = 1f;
+        float antiAliasing = 1f;
 
         [SerializeField, Range(0.5f, 1f), Tooltip("Accumulated opacity at which a ray stops")]
-        private float opaqueAlpha = 1f - 1f / 255f;
+        float opaqueAlpha = 1f - 1f / 255f;
 
         [SerializeField, Range(0.01f, 0.99f), Tooltip("Accumulated opacity at which a segment counts as seen")]
-        private float firstVisibleAlpha = 0.5f;
+        float firstVisibleAlpha = 0.5f;
 
-        [NonSerialized] private AntiAliasSettings antiAliasSettings;
-        [NonSerialized] private RaySettings raySettings;
+        [SerializeField, Tooltip("Exact: opacity between voxels in full precision; pointers find what is shown. Hardware: the GPU's filter, faster")]
+        OpacityFilter filter = OpacityFilter.Exact;
+
+        [NonSerialized] AntiAliasSettings antiAliasSettings;
+        [NonSerialized] RaySettings raySettings;
 
         /// <summary>Distance of samples along a ray in reference lengths, 0.05 to 4.</summary>
         /// <exception cref="ArgumentOutOfRangeException">The value lies outside.</exception>
         public float Step
         {
             get => step;
-            set => step = Checked(value, MinStep, MaxStep, nameof(Step));
+            set => step = SettingRange.Checked(value, MinStep, MaxStep, nameof(Step));
         }
 
         /// <summary>How a sphere's surface cuts voxels.</summary>
@@ -54,7 +70,7 @@ namespace AnatomyCarve
         public float AntiAliasing
         {
             get => antiAliasing;
-            set => antiAliasing = Checked(value, 0f, 1f, nameof(AntiAliasing));
+            set => antiAliasing = SettingRange.Checked(value, 0f, 1f, nameof(AntiAliasing));
         }
 
         /// <summary>Accumulated opacity at which a ray stops, 0.5 to 1.</summary>
@@ -62,7 +78,7 @@ namespace AnatomyCarve
         public float OpaqueAlpha
         {
             get => opaqueAlpha;
-            set => opaqueAlpha = Checked(value, 0.5f, 1f, nameof(OpaqueAlpha));
+            set => opaqueAlpha = SettingRange.Checked(value, 0.5f, 1f, nameof(OpaqueAlpha));
         }
 
         /// <summary>Accumulated opacity at which a segment counts as seen (first visible segment), 0.01 to 0.99.</summary>
@@ -70,20 +86,30 @@ namespace AnatomyCarve
         public float FirstVisibleAlpha
         {
             get => firstVisibleAlpha;
-            set => firstVisibleAlpha = Checked(value, 0.01f, 0.99f, nameof(FirstVisibleAlpha));
+            set => firstVisibleAlpha = SettingRange.Checked(value, 0.01f, 0.99f, nameof(FirstVisibleAlpha));
+        }
+
+        /// <summary>How the opacity between voxels is read along a ray.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">No such filter.</exception>
+        public OpacityFilter Filter
+        {
+            get => filter;
+            set => filter = Enum.IsDefined(typeof(OpacityFilter), value)
+                ? value
+                : throw new ArgumentOutOfRangeException(nameof(value), value, "No such filter.");
         }
 
         /// <summary>The names that <see cref="Named"/> knows, from the cheapest to the best.</summary>
         public static string[] Names => new[] { "fast", "balanced", "best" };
 
-        /// <summary>Binary cuts and steps of one reference length.</summary>
-        public static RenderQuality Fast() => new RenderQuality { step = 1f, cutMode = CutMode.Binary, opaqueAlpha = 0.98f };
+        /// <summary>Binary cuts, steps of one reference length, the GPU's texture filter.</summary>
+        public static RenderQuality Fast() => new RenderQuality { step = 1f, opaqueAlpha = 0.98f, filter = OpacityFilter.Hardware };
 
-        /// <summary>Smooth cuts and steps of half a reference length. What a new renderer has.</summary>
+        /// <summary>Binary cuts, which are Eq. 1 exactly, and steps of half a reference length. What a new renderer has.</summary>
         public static RenderQuality Balanced() => new RenderQuality();
 
         /// <summary>Smooth cuts and steps of a quarter of a reference length.</summary>
-        public static RenderQuality Best() => new RenderQuality { step = 0.25f };
+        public static RenderQuality Best() => new RenderQuality { step = 0.25f, cutMode = CutMode.Smooth };
 
         /// <summary>A preset by its name.</summary>
         /// <exception cref="ArgumentException">No preset has this name.</exception>
@@ -98,12 +124,16 @@ namespace AnatomyCarve
             }
         }
 
+        /// <summary>The row <c>_March</c> of <c>Shaders/VolumeLayout.hlsl</c>.</summary>
+        internal Vector4 March => new Vector4(step, opaqueAlpha, firstVisibleAlpha, filter == OpacityFilter.Exact ? 1f : 0f);
+
         /// <summary>The same as the CPU's walk along a ray takes it.</summary>
         internal RaySettings RaySettings
         {
             get
             {
-                if (raySettings == null || (float)raySettings.StepReference != step || (float)raySettings.OpaqueAlpha != opaqueAlpha || (float)raySettings.FirstVisibleAlpha != firstVisibleAlpha)
+                if (raySettings == null || (float)raySettings.StepReference != step || (float)raySettings.OpaqueAlpha != opaqueAlpha
+                    || (float)raySettings.FirstVisibleAlpha != firstVisibleAlpha)
                     raySettings = new RaySettings { StepReference = step, OpaqueAlpha = opaqueAlpha, FirstVisibleAlpha = firstVisibleAlpha };
                 return raySettings;
             }
@@ -126,9 +156,5 @@ namespace AnatomyCarve
             opaqueAlpha = Mathf.Clamp(opaqueAlpha, 0.5f, 1f);
             firstVisibleAlpha = Mathf.Clamp(firstVisibleAlpha, 0.01f, 0.99f);
         }
-
-        static float Checked(float value, float min, float max, string name) => value >= min && value <= max
-            ? value
-            : throw new ArgumentOutOfRangeException(name, value, FormattableString.Invariant($"{name} is {min} to {max}."));
     }
 }

@@ -90,8 +90,8 @@ namespace AnatomyCarve
                 words = new uint[capacity * wordsPerMask];
             }
             Dispose();
-            Spheres = new GraphicsBuffer(GraphicsBuffer.Target.Structured, rows.Length, Marshal.SizeOf<SphereRow>()) { name = SpheresName };
-            MaskWords = new GraphicsBuffer(GraphicsBuffer.Target.Structured, words.Length, sizeof(uint)) { name = MaskWordsName };
+            Spheres = GpuObjects.CreateBuffer(SpheresName, rows.Length, Marshal.SizeOf<SphereRow>());
+            MaskWords = GpuObjects.CreateBuffer(MaskWordsName, words.Length, sizeof(uint));
         }
 
         /// <summary><c>SphereRow</c> of <c>Shaders/VolumeLayout.hlsl</c>, 32 bytes.</summary>

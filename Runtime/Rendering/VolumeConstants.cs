@@ -14,6 +14,7 @@ namespace AnatomyCarve
         readonly Vector4 indexToMm0, indexToMm1, indexToMm2;
         readonly Vector4 mmToIndex0, mmToIndex1, mmToIndex2;
         readonly Vector4 centreIndex;
+        OpacityTransferFunction lookedUp;
         Vector4 intensityToLookup;
         Vector4 antiAlias;
 
@@ -42,8 +43,12 @@ namespace AnatomyCarve
 
         public void Set(OpacityTransferFunction transferFunction, SphereBuffers spheres, CutMode cut, AntiAliasSettings antiAliasing)
         {
-            var lookup = new OpacityLookup(transferFunction, volume.Intensity);
-            intensityToLookup = new Vector4(lookup.Scale, lookup.Offset, OpacityLookup.LastEntry, 0f);
+            if (transferFunction != lookedUp)
+            {
+                var lookup = new OpacityLookup(transferFunction, volume.Intensity);
+                intensityToLookup = new Vector4(lookup.Scale, lookup.Offset, OpacityLookup.LastEntry, 0f);
+                lookedUp = transferFunction;
+            }
             counts[0] = spheres.Count;
             counts[1] = spheres.WordsPerMask;
             counts[2] = volume.Segments.Count;

@@ -48,6 +48,11 @@ namespace AnatomyCarve
                 problem = e.Message;
                 return null;
             }
+            catch (Exception e) when (e is ArgumentException || e is UnityException || e is OutOfMemoryException)
+            {
+                problem = $"The device could not take it: {e.Message}";
+                return null;
+            }
         }
 
         public void Update(CarvingSnapshot carving, OpacityTransferFunction transferFunction, SegmentTable segments, RenderQuality quality) =>

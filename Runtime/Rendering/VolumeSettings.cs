@@ -6,26 +6,15 @@ namespace AnatomyCarve
     /// <summary>A renderer's transfer function and segment table: its own, or what suits the volume.</summary>
     sealed class VolumeSettings
     {
-        SegmentedVolume automaticFor;
-        OpacityTransferFunction automatic;
         SegmentedVolume segmentsFor;
         SegmentTable segments;
 
         /// <summary>The one that was set; null = automatic.</summary>
         public OpacityTransferFunction TransferFunction { get; set; }
 
-        public OpacityTransferFunction TransferFunctionFor(SegmentedVolume volume)
-        {
-            if (TransferFunction != null || volume == null)
-                return TransferFunction;
-            if (automaticFor != volume)
-            {
-                automatic = OpacityTransferFunction.Automatic(volume.Intensity);
-                automaticFor = volume;
-            }
-            return automatic;
-        }
+        public OpacityTransferFunction TransferFunctionFor(SegmentedVolume volume) => TransferFunction ?? volume?.AutomaticTransferFunction;
 
+        /// <summary>The table for a volume. The one that was set for another volume is forgotten, and that volume with it.</summary>
         public SegmentTable SegmentsFor(SegmentedVolume volume)
         {
             if (segmentsFor != volume)

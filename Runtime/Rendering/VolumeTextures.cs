@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using AnatomyCarve.Volumes;
-using Unity.Collections;
 using UnityEngine;
 using UnityEngine.Experimental.Rendering;
 using UnityEngine.Rendering;
@@ -22,19 +21,27 @@ namespace AnatomyCarve
         public VolumeTextures(SegmentedVolume volume)
         {
             geometry = volume.Geometry;
-            Intensity = Create("intensity", GraphicsFormat.R16_UNorm);
-            Intensity.SetPixelData(volume.Intensity.Codes, 0);
-            Intensity.Apply(false, true);
-            bool small = volume.Segments.Count <= MaxSegmentsIn8Bits;
-            Labels = Create("labels", small ? GraphicsFormat.R8_UInt : GraphicsFormat.R16_UInt);
-            if (small)
-                Narrow(volume.Labels.Indices, Labels.GetPixelData<byte>(0));
-            else
-                Labels.SetPixelData(volume.Labels.Indices, 0);
-            Labels.Apply(false, true);
-            Opacity = CreateWritable("opacity", GraphicsFormat.R8_UNorm);
-            OpacityAA = CreateWritable("anti-aliased opacity", GraphicsFormat.R8_UNorm);
-            Normals = CreateWritable("normals", GraphicsFormat.R8G8_UNorm);
+            try
+            {
+                Intensity = Create("intensity", GraphicsFormat.R16_UNorm);
+                Intensity.SetPixelData(volume.Intensity.Codes, 0);
+                Intensity.Apply(false, true);
+                bool small = volume.Segments.Count <= MaxSegmentsIn8Bits;
+                Labels = Create("labels", small ? GraphicsFormat.R8_UInt : GraphicsFormat.R16_UInt);
+                if (small)
+                    LabelBytes.Narrow(volume.Labels.Indices, Labels.GetPixelData<byte>(0).AsSpan());
+                else
+                    Labels.SetPixelData(volume.Labels.Indices, 0);
+                Labels.Apply(false, true);
+                Opacity = CreateWritable("opacity", GraphicsFormat.R8_UNorm);
+                OpacityAA = CreateWritable("anti-aliased opacity", GraphicsFormat.R8_UNorm);
+                Normals = CreateWritable("normals", GraphicsFormat.R8G8_UNorm);
+            }
+            catch
+            {
+                Dispose();
+                throw;
+            }
         }
 
         public Texture3D Intensity { get; }
@@ -80,18 +87,13 @@ namespace AnatomyCarve
             return true;
         }
 
-        static void Narrow(ushort[] indices, NativeArray<byte> target)
-        {
-            for (int v = 0; v < indices.Length; v++)
-                target[v] = (byte)indices[v];
-        }
-
         Texture3D Create(string name, GraphicsFormat format)
         {
             const TextureCreationFlags flags = TextureCreationFlags.DontInitializePixels | TextureCreationFlags.DontUploadUponCreate;
             var texture = new Texture3D(geometry.SizeI, geometry.SizeJ, geometry.SizeK, format, flags);
             if (texture == null)
-                throw new AnatomyCarveException($"The device could not make the volume's {name} texture ({geometry.SizeI} x {geometry.SizeJ} x {geometry.SizeK}, {format}).");
+                throw new AnatomyCarveException(
+                    $"The device could not make the volume's {name} texture ({geometry.SizeI} x {geometry.SizeJ} x {geometry.SizeK}, {format}).");
             texture.name = "AnatomyCarve " + name;
             texture.filterMode = FilterMode.Point;
             texture.wrapMode = TextureWrapMode.Clamp;

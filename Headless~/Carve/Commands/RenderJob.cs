@@ -7,97 +7,107 @@ using AnatomyCarve.Headless.Cli.Files;
 using AnatomyCarve.Volumes;
 using UnityEngine;
 
-namespace AnatomyCarve.Headless.Cli.Commands;
-
-/// <summary>One rendering, from files to files, through the package's components.</summary>
-internal static class RenderJob
+namespace AnatomyCarve.Headless.Cli.Commands
 {
-    public static void Run(RenderRequest request, TextWriter output, TextWriter error, bool showProgress, CancellationToken cancellation)
+    /// <summary>One rendering, from files to files, through the package's components.</summary>
+    static class RenderJob
     {
-        foreach (var path in request.OutputPaths) OutputSet.Check(path);
-        foreach (var path in request.InputPaths)
+        public static void Run(RenderRequest request, TextWriter output, TextWriter error, bool showProgress, CancellationToken cancellation)
         {
-            if (!File.Exists(path)) throw new CommandException($"{path}: there is no such file.");
+            foreach (var path in request.OutputPaths) OutputSet.Check(path);
+            foreach (var path in request.InputPaths)
+            {
+                if (!File.Exists(path)) throw new CommandException($"{path}: there is no such file.");
+            }
+
+            // What can be refused at once is read first: starting the engine and reading volumes takes seconds.
+            var orbit = File.Exists(request.CameraText) ? null : OrbitText.Read(request.CameraText).Camera;
+            var exactCamera = orbit == null ? CameraFile.Read(request.CameraText) : null;
+            var transferFunction = ReadTransferFunction(request.TransferFunctionText);
+
+            var times = new StepTimes();
+            var warnings = new Warnings();
+            try
+            {
+                ProgressBars.Show(error, showProgress, bars =>
+                {
+                    using var scene = bars.Step("starting", _ => times.Measure("start", () => new RenderScene(warnings)));
+                    bars.Step("reading", progress => times.Measure("read", () => scene.Load(request.VolumePath, request.LabelsPath, progress, cancellation)));
+                    var camera = exactCamera ?? PerspectiveCamera.Around(scene.Loader.Volume.Geometry, orbit, request.Size);
+                    Render(request, scene, camera, transferFunction, warnings, bars, times, cancellation);
+                    return true;
+                });
+            }
+            finally
+            {
+                warnings.WriteTo(error);
+            }
+
+            output.WriteLine(Path.GetFullPath(request.OutputPath));
         }
 
-        // What can be refused at once is read first: starting the engine and reading volumes takes seconds.
-        var orbit = File.Exists(request.CameraText) ? null : OrbitCamera.TryParse(request.CameraText);
-        var exactCamera = orbit == null ? CameraFile.Read(request.CameraText) : null;
-        var transferFunction = ReadTransferFunction(request.TransferFunctionText);
-
-        var times = new StepTimes();
-        ProgressBars.Show(error, showProgress, bars =>
+        static void Render(RenderRequest request, RenderScene scene, PerspectiveCamera camera, OpacityTransferFunction transferFunction,
+            Warnings warnings, ProgressBars bars, StepTimes times, CancellationToken cancellation)
         {
-            using var scene = bars.Step("starting", _ => times.Measure("start", () => new RenderScene(error)));
-            bars.Step("reading", progress => times.Measure("read", () => scene.Load(request.VolumePath, request.LabelsPath, progress, cancellation)));
-            Render(request, scene, volume => exactCamera ?? orbit.Around(volume, request.Size), transferFunction, bars, times, cancellation);
-            return true;
-        });
-        output.WriteLine(Path.GetFullPath(request.OutputPath));
-    }
+            scene.Renderer.Quality = RenderQuality.Named(request.QualityName);
+            if (request.Cut is { } cut) scene.Renderer.Quality.CutMode = cut;
+            scene.Renderer.TransferFunction = transferFunction;
+            scene.Renderer.CountSamples = request.ReportPath != null;
+            if (request.CarvingPath != null) scene.Stack.Load(Path.GetFullPath(request.CarvingPath));
 
-    private static void Render(RenderRequest request, RenderScene scene, Func<VolumeGeometry, PerspectiveCamera> cameraFor, OpacityTransferFunction transferFunction,
-        ProgressBars bars, StepTimes times, CancellationToken cancellation)
-    {
-        scene.Renderer.Quality = RenderQuality.Named(request.QualityName);
-        if (request.Cut is { } cut) scene.Renderer.Quality.CutMode = cut;
-        scene.Renderer.TransferFunction = transferFunction;
-        scene.Renderer.CountSamples = request.ReportPath != null;
-        if (request.CarvingPath != null) scene.Stack.Load(Path.GetFullPath(request.CarvingPath));
-
-        var camera = cameraFor(scene.Loader.Volume.Geometry);
-        var (picture, samples) = bars.Step("rendering", _ => times.Measure("render", () =>
-        {
-            var rendered = scene.Renderer.Render(camera.Rays(request.Size));
+            var (picture, samples) = bars.Step("rendering", _ => times.Measure("render", () =>
+            {
+                var rendered = scene.Renderer.Render(camera.Rays(request.Size));
+                scene.ThrowIfFailed();
+                if (rendered == null) throw new CommandException("there was nothing to render.");
+                return (rendered.Read(), rendered.ReadSampleCount());
+            }));
             scene.ThrowIfFailed();
-            if (rendered == null) throw new CommandException("there was nothing to render.");
-            return (rendered.Read(), rendered.ReadSampleCount());
-        }));
-        scene.ThrowIfFailed();
-        cancellation.ThrowIfCancellationRequested();
+            cancellation.ThrowIfCancellationRequested();
 
-        using var outputs = new OutputSet();
-        bars.Step("writing", _ => times.Measure("write", () => AddPictures(outputs, request, picture)));
-        if (request.ReportPath != null)
-        {
-            var report = Json.Text(RenderReport.Make(request, scene, camera, picture, samples, times.Milliseconds)) + "\n";
-            outputs.Add(request.ReportPath, stream => stream.Write(Encoding.UTF8.GetBytes(report)));
+            using var outputs = new OutputSet();
+            bars.Step("writing", _ => times.Measure("write", () => AddPictures(outputs, request, picture)));
+            if (request.ReportPath != null)
+            {
+                var report = Json.Text(RenderReport.Make(request, scene, camera, picture, samples, warnings.Lines, times.Milliseconds)) + "\n";
+                outputs.Add(request.ReportPath, stream => stream.Write(Encoding.UTF8.GetBytes(report)));
+            }
+
+            cancellation.ThrowIfCancellationRequested();
+            outputs.Commit();
         }
 
-        cancellation.ThrowIfCancellationRequested();
-        outputs.Commit();
-    }
+        static OpacityTransferFunction ReadTransferFunction(string text) =>
+            text == null ? null
+            : File.Exists(text) ? TransferFunctionFile.Read(text)
+            : text.Contains(':') ? OpacityTransferFunction.Parse(text)
+            : throw new CommandException($"--tf \"{text}\": neither a file nor value:opacity,value:opacity,...");
 
-    private static OpacityTransferFunction ReadTransferFunction(string text) =>
-        text == null ? null
-        : File.Exists(text) ? TransferFunctionFile.Read(text)
-        : text.Contains(':') ? OpacityTransferFunction.Parse(text)
-        : throw new CommandException($"--tf \"{text}\": neither a file nor value:opacity,value:opacity,...");
-
-    private static void AddPictures(OutputSet outputs, RenderRequest request, PictureData picture)
-    {
-        var behind = new Color32(request.Background.R, request.Background.G, request.Background.B, 255);
-        outputs.Add(request.OutputPath, stream => stream.Write(picture.EncodeToPng(behind)));
-        if (request.DepthPath != null)
+        static void AddPictures(OutputSet outputs, RenderRequest request, PictureData picture)
         {
-            outputs.Add(request.DepthPath, stream => PfmFile.Write(stream, picture.Width, picture.Height, FromTop(picture, picture.DepthMm)));
+            var behind = new Color32(request.Background.R, request.Background.G, request.Background.B, 255);
+            outputs.Add(request.OutputPath, stream => stream.Write(picture.EncodeToPng(behind)));
+            if (request.DepthPath != null)
+            {
+                outputs.Add(request.DepthPath, stream => PfmFile.Write(stream, picture.Width, picture.Height, FromTop(picture, picture.DepthMm)));
+            }
+
+            if (request.SegmentsPath != null)
+            {
+                outputs.Add(request.SegmentsPath, stream => PgmFile.Write(stream, picture.Width, picture.Height, FromTop(picture, picture.Segments)));
+            }
         }
 
-        if (request.SegmentsPath != null)
+        // The package's pictures begin with the bottom row, as Unity's textures do.
+        static T[] FromTop<T>(PictureData picture, T[] fromBottom)
         {
-            outputs.Add(request.SegmentsPath, stream => PgmFile.Write(stream, picture.Width, picture.Height, FromTop(picture, picture.Segments)));
-        }
-    }
+            var fromTop = new T[fromBottom.Length];
+            for (var row = 0; row < picture.Height; row++)
+            {
+                Array.Copy(fromBottom, row * picture.Width, fromTop, (picture.Height - 1 - row) * picture.Width, picture.Width);
+            }
 
-    // The package's pictures begin with the bottom row, as Unity's textures do.
-    private static T[] FromTop<T>(PictureData picture, T[] fromBottom)
-    {
-        var fromTop = new T[fromBottom.Length];
-        for (var row = 0; row < picture.Height; row++)
-        {
-            Array.Copy(fromBottom, row * picture.Width, fromTop, (picture.Height - 1 - row) * picture.Width, picture.Width);
+            return fromTop;
         }
-
-        return fromTop;
     }
 }

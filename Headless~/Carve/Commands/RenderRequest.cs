@@ -3,39 +3,40 @@ using System.Linq;
 using AnatomyCarve.Carving;
 using AnatomyCarve.Volumes;
 
-namespace AnatomyCarve.Headless.Cli.Commands;
-
-/// <summary>What a rendering is made of and where it goes; null where the user left something out.</summary>
-internal sealed record RenderRequest
+namespace AnatomyCarve.Headless.Cli.Commands
 {
-    public required string VolumePath { get; init; }
+    /// <summary>What a rendering is made of and where it goes; null where the user left something out.</summary>
+    sealed record RenderRequest
+    {
+        public required string VolumePath { get; init; }
 
-    public string LabelsPath { get; init; }
+        public string LabelsPath { get; init; }
 
-    public string TransferFunctionText { get; init; }
+        public string TransferFunctionText { get; init; }
 
-    public string CarvingPath { get; init; }
+        public string CarvingPath { get; init; }
 
-    /// <summary>As the user gave it: a file or angles.</summary>
-    public string CameraText { get; init; }
+        /// <summary>As the user gave it: a file or angles.</summary>
+        public string CameraText { get; init; }
 
-    public required PictureSize Size { get; init; }
+        public required PictureSize Size { get; init; }
 
-    public required string QualityName { get; init; }
+        public required string QualityName { get; init; }
 
-    public CutMode? Cut { get; init; }
+        public CutMode? Cut { get; init; }
 
-    public required SegmentColor Background { get; init; }
+        public required SegmentColor Background { get; init; }
 
-    public required string OutputPath { get; init; }
+        public required string OutputPath { get; init; }
 
-    public string DepthPath { get; init; }
+        public string DepthPath { get; init; }
 
-    public string SegmentsPath { get; init; }
+        public string SegmentsPath { get; init; }
 
-    public string ReportPath { get; init; }
+        public string ReportPath { get; init; }
 
-    public IEnumerable<string> InputPaths => new[] { VolumePath, LabelsPath, CarvingPath }.Where(path => path != null);
+        public IEnumerable<string> InputPaths => new[] { VolumePath, LabelsPath, CarvingPath }.Where(path => path != null);
 
-    public IEnumerable<string> OutputPaths => new[] { OutputPath, DepthPath, SegmentsPath, ReportPath }.Where(path => path != null);
+        public IEnumerable<string> OutputPaths => new[] { OutputPath, DepthPath, SegmentsPath, ReportPath }.Where(path => path != null);
+    }
 }

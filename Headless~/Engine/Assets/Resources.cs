@@ -42,7 +42,8 @@ namespace UnityEngine
             if (!Object.IsAlive(assetToUnload))
                 return;
             if (assetToUnload is GameObject or Component)
-                Debug.LogError("UnloadAsset may only be used on individual assets and can not be used on GameObject's / Components / AssetBundles or GameManagers");
+                Debug.LogError("UnloadAsset may only be used on individual assets and can not be used on GameObject's / Components / AssetBundles or "
+                    + "GameManagers");
             else if (assetToUnload.IsAsset)
                 Destruction.Now(assetToUnload);
         }

@@ -23,7 +23,8 @@ namespace UnityEngine
             }
 
             if (candidates.Count == 0)
-                throw new AssetFormatException(referrer, $"its script {scriptPath} holds no MonoBehaviour or ScriptableObject '{name}' that this program knows");
+                throw new AssetFormatException(referrer,
+                    $"its script {scriptPath} holds no MonoBehaviour or ScriptableObject '{name}' that this program knows");
             return candidates[0];
         }
 
@@ -63,7 +64,8 @@ namespace UnityEngine
         }
 
         static bool IsFramework(string name) =>
-            name.StartsWith("System", StringComparison.Ordinal) || name.StartsWith("Microsoft.", StringComparison.Ordinal) || name is "mscorlib" or "netstandard";
+            name.StartsWith("System", StringComparison.Ordinal) || name.StartsWith("Microsoft.", StringComparison.Ordinal)
+                || name is "mscorlib" or "netstandard";
 
         static Assembly TryLoad(AssemblyName name)
         {

@@ -28,8 +28,10 @@ namespace UnityEngine
             foreach (var document in Parse(path).Documents)
             {
                 var root = document.RootNode as YamlMappingNode ?? throw new AssetFormatException(path, "a document is no mapping");
-                if (root.Tag.IsEmpty || root.Tag.Value != ScriptTag || !long.TryParse(root.Anchor.Value, NumberStyles.Integer, CultureInfo.InvariantCulture, out var fileId))
-                    throw new AssetFormatException(path, $"a document with tag '{root.Tag}' and anchor '{root.Anchor}' is not supported; expected !u!114 &<fileID>");
+                if (root.Tag.IsEmpty || root.Tag.Value != ScriptTag
+                    || !long.TryParse(root.Anchor.Value, NumberStyles.Integer, CultureInfo.InvariantCulture, out var fileId))
+                    throw new AssetFormatException(path,
+                        $"a document with tag '{root.Tag}' and anchor '{root.Anchor}' is not supported; expected !u!114 &<fileID>");
                 var body = Child(root, "MonoBehaviour") as YamlMappingNode ?? throw new AssetFormatException(path, "a document has no 'MonoBehaviour'");
                 var target = ScriptableObject.Construct(TypeOf(path, body));
                 AssetLibrary.Enter(objects, fileId, target, (Child(body, "m_Name") as YamlScalarNode)?.Value ?? "");

@@ -14,7 +14,8 @@ namespace UnityEngine
 
         public RequireComponent(Type requiredComponent, Type requiredComponent2) : this(requiredComponent) => m_Type1 = requiredComponent2;
 
-        public RequireComponent(Type requiredComponent, Type requiredComponent2, Type requiredComponent3) : this(requiredComponent, requiredComponent2) => m_Type2 = requiredComponent3;
+        public RequireComponent(Type requiredComponent, Type requiredComponent2, Type requiredComponent3) : this(requiredComponent, requiredComponent2) =>
+            m_Type2 = requiredComponent3;
     }
 
     /// <summary>A GameObject takes one such component only.</summary>

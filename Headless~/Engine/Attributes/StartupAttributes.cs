@@ -30,7 +30,8 @@ namespace UnityEngine.Scripting
 {
     /// <summary>Keeps code from being stripped out of a build.</summary>
     [AttributeUsage(AttributeTargets.Assembly | AttributeTargets.Class | AttributeTargets.Struct | AttributeTargets.Enum | AttributeTargets.Constructor |
-        AttributeTargets.Method | AttributeTargets.Property | AttributeTargets.Field | AttributeTargets.Event | AttributeTargets.Interface | AttributeTargets.Delegate, Inherited = false)]
+        AttributeTargets.Method | AttributeTargets.Property | AttributeTargets.Field | AttributeTargets.Event | AttributeTargets.Interface
+            | AttributeTargets.Delegate, Inherited = false)]
     public class PreserveAttribute : Attribute
     {
     }

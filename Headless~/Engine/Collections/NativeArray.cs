@@ -25,7 +25,8 @@ namespace Unity.Collections
         }
 
         public NativeArray(T[] array, Allocator allocator)
-            : this((array ?? throw new ArgumentNullException(nameof(array))).Length, allocator, NativeArrayOptions.UninitializedMemory) => array.CopyTo(AsSpan());
+            : this((array ?? throw new ArgumentNullException(nameof(array))).Length, allocator, NativeArrayOptions.UninitializedMemory) =>
+                array.CopyTo(AsSpan());
 
         public NativeArray(NativeArray<T> array, Allocator allocator)
             : this(array.Length, allocator, NativeArrayOptions.UninitializedMemory) => array.AsReadOnlySpan().CopyTo(AsSpan());
@@ -95,7 +96,8 @@ namespace Unity.Collections
         {
             CheckAlive();
             if (start < 0 || length < 0 || (long)start + length > m_Length)
-                throw new ArgumentOutOfRangeException(nameof(length), $"sub array range {start}-{(long)start + length - 1} is outside the range of the native array 0-{m_Length - 1}");
+                throw new ArgumentOutOfRangeException(nameof(length),
+                    $"sub array range {start}-{(long)start + length - 1} is outside the range of the native array 0-{m_Length - 1}");
             return new NativeArray<T>(m_Memory, (byte*)m_Buffer + (long)start * sizeof(T), length);
         }
 
@@ -103,7 +105,8 @@ namespace Unity.Collections
         public NativeArray<U> Reinterpret<U>() where U : struct
         {
             if (sizeof(T) != sizeof(U))
-                throw new InvalidOperationException($"Types {typeof(T)} and {typeof(U)} are different sizes - direct reinterpretation is not possible. If this is what you intended, use Reinterpret(<type size>)");
+                throw new InvalidOperationException($"Types {typeof(T)} and {typeof(U)} are different sizes - direct reinterpretation is not possible. If "
+                    + "this is what you intended, use Reinterpret(<type size>)");
             return Reinterpret<U>(sizeof(T));
         }
 
@@ -114,7 +117,8 @@ namespace Unity.Collections
                 throw new InvalidOperationException($"Type {typeof(T)} was expected to be {expectedTypeSize} but is {sizeof(T)} bytes");
             var bytes = (long)m_Length * sizeof(T);
             if (bytes % sizeof(U) != 0)
-                throw new InvalidOperationException($"Types {typeof(T)} (array length {m_Length}) and {typeof(U)} cannot be aliased due to size constraints. The size of the types and lengths involved must line up.");
+                throw new InvalidOperationException($"Types {typeof(T)} (array length {m_Length}) and {typeof(U)} cannot be aliased due to size "
+                    + "constraints. The size of the types and lengths involved must line up.");
             return new NativeArray<U>(m_Memory, m_Buffer, checked((int)(bytes / sizeof(U))));
         }
 

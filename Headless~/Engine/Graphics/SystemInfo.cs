@@ -60,7 +60,8 @@ namespace UnityEngine
         public static bool supportsIndirectArgumentsBuffer => true;
 
         public static CopyTextureSupport copyTextureSupport =>
-            CopyTextureSupport.Basic | CopyTextureSupport.Copy3D | CopyTextureSupport.DifferentTypes | CopyTextureSupport.TextureToRT | CopyTextureSupport.RTToTexture;
+            CopyTextureSupport.Basic | CopyTextureSupport.Copy3D | CopyTextureSupport.DifferentTypes | CopyTextureSupport.TextureToRT
+                | CopyTextureSupport.RTToTexture;
 
         public static int maxTexture3DSize => Math.Min(UnityMaxTexture3DSize, (int)Device.Properties.limits.maxImageDimension3D);
 
@@ -123,7 +124,8 @@ namespace UnityEngine
 
         public static bool SupportsTextureFormat(TextureFormat format) => IsFormatSupported(FormatTables.Of(format, false), GraphicsFormatUsage.Sample);
 
-        public static bool SupportsRenderTextureFormat(RenderTextureFormat format) => IsFormatSupported(FormatTables.Of(format, false), GraphicsFormatUsage.Render);
+        public static bool SupportsRenderTextureFormat(RenderTextureFormat format) =>
+            IsFormatSupported(FormatTables.Of(format, false), GraphicsFormatUsage.Render);
 
         public static bool SupportsRandomWriteOnRenderTextureFormat(RenderTextureFormat format) =>
             IsFormatSupported(FormatTables.Of(format, false), GraphicsFormatUsage.LoadStore);

@@ -31,6 +31,7 @@ namespace UnityEngine
         /// <summary>Stopped or failed: it never goes on, nor does its waiter.</summary>
         internal bool IsDead { get; set; }
 
-        internal static Coroutine Create(MonoBehaviour owner, IEnumerator routine, Coroutine parent) => new() { Owner = owner, Routine = routine, Parent = parent };
+        internal static Coroutine Create(MonoBehaviour owner, IEnumerator routine, Coroutine parent) =>
+            new() { Owner = owner, Routine = routine, Parent = parent };
     }
 }

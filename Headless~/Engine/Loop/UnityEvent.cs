@@ -34,7 +34,8 @@ namespace UnityEngine.Events
         public static MethodInfo GetValidMethodInfo(Type objectType, string functionName, Type[] argumentTypes)
         {
             for (; objectType != null && objectType != typeof(object); objectType = objectType.BaseType)
-                if (objectType.GetMethod(functionName, BindingFlags.Instance | BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic, null, argumentTypes, null) is { } method)
+                if (objectType.GetMethod(functionName, BindingFlags.Instance | BindingFlags.Static | BindingFlags.Public
+                    | BindingFlags.NonPublic, null, argumentTypes, null) is { } method)
                     return method;
             return null;
         }
@@ -103,6 +104,7 @@ namespace UnityEngine.Events
 
         public void Invoke(T0 arg0, T1 arg1) => Call<UnityAction<T0, T1>>(c => c(arg0, arg1));
 
-        protected override MethodInfo FindMethod_Impl(string name, Type targetObjType) => GetValidMethodInfo(targetObjType, name, new[] { typeof(T0), typeof(T1) });
+        protected override MethodInfo FindMethod_Impl(string name, Type targetObjType) =>
+            GetValidMethodInfo(targetObjType, name, new[] { typeof(T0), typeof(T1) });
     }
 }

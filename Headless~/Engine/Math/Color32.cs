@@ -49,7 +49,8 @@ namespace UnityEngine
         public string ToString(string format, IFormatProvider formatProvider)
         {
             formatProvider ??= CultureInfo.InvariantCulture.NumberFormat;
-            return $"RGBA({r.ToString(format, formatProvider)}, {g.ToString(format, formatProvider)}, {b.ToString(format, formatProvider)}, {a.ToString(format, formatProvider)})";
+            return $"RGBA({r.ToString(format, formatProvider)}, {g.ToString(format, formatProvider)}, {b.ToString(format, formatProvider)}, "
+                + $"{a.ToString(format, formatProvider)})";
         }
 
         public override int GetHashCode() => r | g << 8 | b << 16 | a << 24;

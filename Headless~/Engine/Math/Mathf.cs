@@ -133,7 +133,8 @@ namespace UnityEngine
 
         /// <summary>sRGB's curve, from linear to stored; beyond 1 a power of 1/2.2.</summary>
         public static float LinearToGammaSpace(float value) =>
-            value <= 0f ? 0f : value <= 0.0031308f ? 12.92f * value : value < 1f ? 1.055f * Pow(value, 1f / 2.4f) - 0.055f : value == 1f ? 1f : Pow(value, 1f / 2.2f);
+            value <= 0f ? 0f : value <= 0.0031308f ? 12.92f * value : value < 1f ? 1.055f * Pow(value, 1f / 2.4f) - 0.055f : value == 1f ? 1f
+                : Pow(value, 1f / 2.2f);
 
         public static bool IsPowerOfTwo(int value) => (value & (value - 1)) == 0;
 

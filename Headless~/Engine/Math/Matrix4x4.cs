@@ -34,7 +34,8 @@ namespace UnityEngine
 
         public static Matrix4x4 zero => default;
 
-        public static Matrix4x4 identity => new(new Vector4(1f, 0f, 0f, 0f), new Vector4(0f, 1f, 0f, 0f), new Vector4(0f, 0f, 1f, 0f), new Vector4(0f, 0f, 0f, 1f));
+        public static Matrix4x4 identity =>
+            new(new Vector4(1f, 0f, 0f, 0f), new Vector4(0f, 1f, 0f, 0f), new Vector4(0f, 0f, 1f, 0f), new Vector4(0f, 0f, 0f, 1f));
 
         public bool isIdentity => Equals(identity);
 

@@ -13,7 +13,8 @@ namespace UnityEngine
             m_GameObject = ComponentFactory.TakeOwner(this);
             if (m_GameObject is not null)
                 return;
-            Debug.LogWarning($"You are trying to create a MonoBehaviour using the 'new' keyword.  This is not allowed.  MonoBehaviours can only be added using AddComponent(). " +
+            Debug.LogWarning($"You are trying to create a MonoBehaviour using the 'new' keyword.  This is not allowed.  MonoBehaviours can only be added "
+                + "using AddComponent(). " +
                 $"Alternatively, your script can inherit from ScriptableObject or no base class at all ({GetType().FullName})");
             Kill();
         }

@@ -36,14 +36,16 @@ namespace UnityEngine
 
         /// <summary>Runs the parameterless constructor, of any visibility; what it throws arrives unwrapped.</summary>
         internal static object Construct(Type type) => Activator.CreateInstance(type,
-            BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.CreateInstance | BindingFlags.DoNotWrapExceptions, null, null, null);
+            BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.CreateInstance
+                | BindingFlags.DoNotWrapExceptions, null, null, null);
 
         /// <summary>AddComponent: required ones first, then this; on an active object Awake and OnEnable have run on return.</summary>
         internal static Component Add(GameObject owner, Type type)
         {
             if (type == null)
                 throw new ArgumentNullException(nameof(type));
-            if (!typeof(Component).IsAssignableFrom(type) || type.IsAbstract || type.ContainsGenericParameters || type == typeof(Component) || type == typeof(Behaviour))
+            if (!typeof(Component).IsAssignableFrom(type) || type.IsAbstract || type.ContainsGenericParameters || type == typeof(Component)
+                || type == typeof(Behaviour))
             {
                 Debug.LogError($"Can't add component '{type.Name}' to {owner.NameForMessages} because it is no component that can be added");
                 return null;

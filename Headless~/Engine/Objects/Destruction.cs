@@ -27,13 +27,15 @@ namespace UnityEngine
         {
             if (obj.IsAsset && !allowDestroyingAssets)
             {
-                Debug.LogError("Destroying assets is not permitted to avoid data loss.\nIf you really want to remove an asset use DestroyImmediate (theObject, true);");
+                Debug.LogError("Destroying assets is not permitted to avoid data loss.\nIf you really want to remove an asset use DestroyImmediate "
+                    + "(theObject, true);");
                 return false;
             }
 
             if (obj is Transform)
             {
-                Debug.LogError($"Can't destroy Transform component of '{obj.NameForMessages}'. If you want to destroy the game object, please call 'Destroy' on the game object instead. " +
+                Debug.LogError($"Can't destroy Transform component of '{obj.NameForMessages}'. If you want to destroy the game object, please call "
+                    + "'Destroy' on the game object instead. " +
                     "Destroying the transform component is not allowed.");
                 return false;
             }

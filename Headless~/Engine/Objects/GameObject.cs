@@ -138,7 +138,8 @@ namespace UnityEngine
         {
             MainThread.Check("FindGameObjectsWithTag");
             tag = Tags.Checked(tag);
-            return ObjectRegistry.Snapshot().FindAll(o => o is GameObject g && g.m_ActiveInHierarchy && !g.IsAsset && g.m_Tag == tag).ConvertAll(o => (GameObject)o).ToArray();
+            return ObjectRegistry.Snapshot().FindAll(o => o is GameObject g && g.m_ActiveInHierarchy && !g.IsAsset && g.m_Tag == tag)
+                .ConvertAll(o => (GameObject)o).ToArray();
         }
 
         internal void Attach(Component component) => m_Components.Add(component);

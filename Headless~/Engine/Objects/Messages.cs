@@ -64,7 +64,8 @@ namespace UnityEngine
         internal Message(Type type, string name)
         {
             for (var t = type; t != null && t != typeof(MonoBehaviour) && t != typeof(ScriptableObject) && m_Method == null; t = t.BaseType)
-                m_Method = t.GetMethod(name, BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly, null, Type.EmptyTypes, null);
+                m_Method = t.GetMethod(name, BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic
+                    | BindingFlags.DeclaredOnly, null, Type.EmptyTypes, null);
         }
 
         internal bool Exists => m_Method != null;

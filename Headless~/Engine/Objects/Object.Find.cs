@@ -46,7 +46,8 @@ namespace UnityEngine
 
         public static T FindFirstObjectByType<T>() where T : Object => (T)FindFirstObjectByType(typeof(T));
 
-        public static T FindFirstObjectByType<T>(FindObjectsInactive findObjectsInactive) where T : Object => (T)FindFirstObjectByType(typeof(T), findObjectsInactive);
+        public static T FindFirstObjectByType<T>(FindObjectsInactive findObjectsInactive) where T : Object =>
+            (T)FindFirstObjectByType(typeof(T), findObjectsInactive);
 
         public static Object FindAnyObjectByType(Type type) => FindAnyObjectByType(type, FindObjectsInactive.Exclude);
 
@@ -55,7 +56,8 @@ namespace UnityEngine
 
         public static T FindAnyObjectByType<T>() where T : Object => (T)FindAnyObjectByType(typeof(T));
 
-        public static T FindAnyObjectByType<T>(FindObjectsInactive findObjectsInactive) where T : Object => (T)FindAnyObjectByType(typeof(T), findObjectsInactive);
+        public static T FindAnyObjectByType<T>(FindObjectsInactive findObjectsInactive) where T : Object =>
+            (T)FindAnyObjectByType(typeof(T), findObjectsInactive);
 
         static bool IsFound(Object o, FindObjectsInactive inactive)
         {

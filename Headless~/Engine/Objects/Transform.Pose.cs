@@ -163,7 +163,8 @@ namespace UnityEngine
         {
             if (float.IsNaN(value.x + value.y + value.z) || float.IsInfinity(value.x) || float.IsInfinity(value.y) || float.IsInfinity(value.z))
             {
-                Debug.LogError($"transform.position assign attempt for '{NameForMessages}' is not valid. Input position is {{ {value.x}, {value.y}, {value.z} }}.");
+                Debug.LogError($"transform.position assign attempt for '{NameForMessages}' is not valid. Input position is "
+                    + $"{{ {value.x}, {value.y}, {value.z} }}.");
                 return m_LocalPosition;
             }
 

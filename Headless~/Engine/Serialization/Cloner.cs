@@ -41,7 +41,8 @@ namespace UnityEngine
                     copy.SendAwake();
                     return (copy, null);
                 default:
-                    var native = original.CloneNative() ?? throw new NotSupportedException($"Instantiate of a {original.GetType().Name} is not implemented headless");
+                    var native =
+                        original.CloneNative() ?? throw new NotSupportedException($"Instantiate of a {original.GetType().Name} is not implemented headless");
                     Rename(native, original);
                     return (native, null);
             }

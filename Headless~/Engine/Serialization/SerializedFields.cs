@@ -34,7 +34,8 @@ namespace UnityEngine
 
         /// <summary>True for classes and structs that are written field by field.</summary>
         internal static bool IsPlainData(Type type) =>
-            !type.IsPrimitive && !type.IsEnum && type != typeof(string) && !typeof(Object).IsAssignableFrom(type) && ElementOf(type) == null && !IsEngineStruct(type);
+            !type.IsPrimitive && !type.IsEnum && type != typeof(string) && !typeof(Object).IsAssignableFrom(type) && ElementOf(type) == null
+                && !IsEngineStruct(type);
 
         internal static bool IsReference(FieldInfo field) => field.IsDefined(typeof(SerializeReference), false);
 
@@ -49,7 +50,8 @@ namespace UnityEngine
             return fields.ToArray();
         }
 
-        static bool IsEnd(Type type) => type == typeof(MonoBehaviour) || type == typeof(ScriptableObject) || type == typeof(Component) || type == typeof(Object);
+        static bool IsEnd(Type type) =>
+            type == typeof(MonoBehaviour) || type == typeof(ScriptableObject) || type == typeof(Component) || type == typeof(Object);
 
         static bool IsSerialized(FieldInfo field)
         {
@@ -74,7 +76,8 @@ namespace UnityEngine
             if (typeof(Object).IsAssignableFrom(type) || IsEngineStruct(type) || typeof(UnityEventBase).IsAssignableFrom(type))
                 return true;
             // Containers do not nest, and what the framework calls serialisable is not so to Unity.
-            return !type.IsAbstract && !type.IsInterface && ElementOf(type) == null && !type.IsArray && type.IsSerializable && type.Assembly != typeof(object).Assembly &&
+            return !type.IsAbstract && !type.IsInterface && ElementOf(type) == null && !type.IsArray && type.IsSerializable
+                && type.Assembly != typeof(object).Assembly &&
                 !typeof(Delegate).IsAssignableFrom(type) && !(type.Namespace ?? "").StartsWith("System", StringComparison.Ordinal);
         }
     }

@@ -105,7 +105,8 @@ namespace UnityEngine.Shaders
                         break;
                     case "shader_feature":
                     case "shader_feature_local":
-                        throw new ShaderCompileException($"{Path}({number}): '#pragma {match.Groups[1].Value}' is stripped from builds of compute shaders; use multi_compile");
+                        throw new ShaderCompileException($"{Path}({number}): '#pragma {match.Groups[1].Value}' is stripped from builds of compute shaders; "
+                            + "use multi_compile");
                 }
             }
             Kernels = kernels;

@@ -85,7 +85,8 @@ namespace UnityEngine.Shaders
 
         static string Describe(ComputeSource source, string kernel, List<string> problems, string log)
         {
-            var text = new StringBuilder().Append("Shader error in '").Append(Path.GetFileNameWithoutExtension(source.Path)).Append("', kernel ").Append(kernel).Append(':');
+            var text = new StringBuilder().Append("Shader error in '").Append(Path.GetFileNameWithoutExtension(source.Path)).Append("', kernel ")
+                .Append(kernel).Append(':');
             if (problems.Count == 0)
                 return text.Append('\n').Append(log.Trim()).ToString();
             foreach (var problem in problems)

@@ -95,7 +95,12 @@ namespace UnityEngine.Shaders
             ulong module, pipeline;
             fixed (byte* code = spirv)
             {
-                var moduleInfo = new VkShaderModuleCreateInfo { sType = Vk.VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO, codeSize = (nuint)spirv.Length, pCode = (uint*)code };
+                var moduleInfo = new VkShaderModuleCreateInfo
+                {
+                    sType = Vk.VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
+                    codeSize = (nuint)spirv.Length,
+                    pCode = (uint*)code,
+                };
                 VulkanException.Check(m_Device.Api.vkCreateShaderModule(m_Device.Handle, &moduleInfo, null, &module), "vkCreateShaderModule");
             }
             var info = new VkComputePipelineCreateInfo

@@ -55,7 +55,8 @@ namespace UnityEngine.Shaders
                 case SpirvOp.Load when m_ImageOfVariable.ContainsKey(i[3]):
                     m_VariableOfValue[i[2]] = i[3];
                     break;
-                case SpirvOp.FunctionCall or SpirvOp.ImageTexelPointer or SpirvOp.AccessChain or SpirvOp.CopyObject or SpirvOp.ImageRead or SpirvOp.Select or SpirvOp.Phi:
+                case SpirvOp.FunctionCall or SpirvOp.ImageTexelPointer or SpirvOp.AccessChain or SpirvOp.CopyObject
+                    or SpirvOp.ImageRead or SpirvOp.Select or SpirvOp.Phi:
                     // These need the format: loads and atomics themselves, and uses that are not followed any further here.
                     for (var w = 1; w < i.Length; w++)
                     {

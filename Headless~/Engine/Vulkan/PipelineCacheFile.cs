@@ -15,7 +15,8 @@ namespace UnityEngine.Vulkan
         {
             m_Device = device;
             var p = device.Properties;
-            m_Path = Path.Combine(folder, string.Format(CultureInfo.InvariantCulture, "pipelines-{0:x4}-{1:x4}-{2:x8}.bin", p.vendorID, p.deviceID, p.driverVersion));
+            m_Path = Path.Combine(folder,
+                string.Format(CultureInfo.InvariantCulture, "pipelines-{0:x4}-{1:x4}-{2:x8}.bin", p.vendorID, p.deviceID, p.driverVersion));
             var content = Load();
             m_LoadedSize = content.Length;
             ulong handle;

@@ -36,7 +36,8 @@ namespace UnityEngine.Vulkan
         public readonly delegate* unmanaged[Cdecl]<nint, uint, ulong*, int> vkResetFences;
         public readonly delegate* unmanaged[Cdecl]<nint, uint, ulong*, uint, ulong, int> vkWaitForFences;
         public readonly delegate* unmanaged[Cdecl]<nint, ulong, int> vkGetFenceStatus;
-        public readonly delegate* unmanaged[Cdecl]<nint, uint, uint, uint, uint, VkMemoryBarrier*, uint, VkBufferMemoryBarrier*, uint, VkImageMemoryBarrier*, void> vkCmdPipelineBarrier;
+        public readonly delegate* unmanaged[Cdecl]<
+            nint, uint, uint, uint, uint, VkMemoryBarrier*, uint, VkBufferMemoryBarrier*, uint, VkImageMemoryBarrier*, void> vkCmdPipelineBarrier;
         public readonly delegate* unmanaged[Cdecl]<nint, ulong, ulong, uint, VkBufferCopy*, void> vkCmdCopyBuffer;
         public readonly delegate* unmanaged[Cdecl]<nint, ulong, uint, ulong, uint, uint, VkImageCopy*, void> vkCmdCopyImage;
         public readonly delegate* unmanaged[Cdecl]<nint, ulong, uint, ulong, uint, uint, VkImageBlit*, uint, void> vkCmdBlitImage;
@@ -101,19 +102,22 @@ namespace UnityEngine.Vulkan
             vkResetFences = (delegate* unmanaged[Cdecl]<nint, uint, ulong*, int>)load("vkResetFences");
             vkWaitForFences = (delegate* unmanaged[Cdecl]<nint, uint, ulong*, uint, ulong, int>)load("vkWaitForFences");
             vkGetFenceStatus = (delegate* unmanaged[Cdecl]<nint, ulong, int>)load("vkGetFenceStatus");
-            vkCmdPipelineBarrier = (delegate* unmanaged[Cdecl]<nint, uint, uint, uint, uint, VkMemoryBarrier*, uint, VkBufferMemoryBarrier*, uint, VkImageMemoryBarrier*, void>)load("vkCmdPipelineBarrier");
+            vkCmdPipelineBarrier = (delegate* unmanaged[Cdecl]<nint, uint, uint, uint, uint, VkMemoryBarrier*, uint, VkBufferMemoryBarrier*, uint,
+                VkImageMemoryBarrier*, void>)load("vkCmdPipelineBarrier");
             vkCmdCopyBuffer = (delegate* unmanaged[Cdecl]<nint, ulong, ulong, uint, VkBufferCopy*, void>)load("vkCmdCopyBuffer");
             vkCmdCopyImage = (delegate* unmanaged[Cdecl]<nint, ulong, uint, ulong, uint, uint, VkImageCopy*, void>)load("vkCmdCopyImage");
             vkCmdBlitImage = (delegate* unmanaged[Cdecl]<nint, ulong, uint, ulong, uint, uint, VkImageBlit*, uint, void>)load("vkCmdBlitImage");
             vkCmdCopyBufferToImage = (delegate* unmanaged[Cdecl]<nint, ulong, ulong, uint, uint, VkBufferImageCopy*, void>)load("vkCmdCopyBufferToImage");
             vkCmdCopyImageToBuffer = (delegate* unmanaged[Cdecl]<nint, ulong, uint, ulong, uint, VkBufferImageCopy*, void>)load("vkCmdCopyImageToBuffer");
             vkCmdFillBuffer = (delegate* unmanaged[Cdecl]<nint, ulong, ulong, ulong, uint, void>)load("vkCmdFillBuffer");
-            vkCmdClearColorImage = (delegate* unmanaged[Cdecl]<nint, ulong, uint, VkClearColorValue*, uint, VkImageSubresourceRange*, void>)load("vkCmdClearColorImage");
+            vkCmdClearColorImage =
+                (delegate* unmanaged[Cdecl]<nint, ulong, uint, VkClearColorValue*, uint, VkImageSubresourceRange*, void>)load("vkCmdClearColorImage");
             vkCmdBindPipeline = (delegate* unmanaged[Cdecl]<nint, uint, ulong, void>)load("vkCmdBindPipeline");
             vkCmdBindDescriptorSets = (delegate* unmanaged[Cdecl]<nint, uint, ulong, uint, uint, ulong*, uint, uint*, void>)load("vkCmdBindDescriptorSets");
             vkCmdDispatch = (delegate* unmanaged[Cdecl]<nint, uint, uint, uint, void>)load("vkCmdDispatch");
             vkCmdDispatchIndirect = (delegate* unmanaged[Cdecl]<nint, ulong, ulong, void>)load("vkCmdDispatchIndirect");
-            vkCreateDescriptorSetLayout = (delegate* unmanaged[Cdecl]<nint, VkDescriptorSetLayoutCreateInfo*, void*, ulong*, int>)load("vkCreateDescriptorSetLayout");
+            vkCreateDescriptorSetLayout =
+                (delegate* unmanaged[Cdecl]<nint, VkDescriptorSetLayoutCreateInfo*, void*, ulong*, int>)load("vkCreateDescriptorSetLayout");
             vkDestroyDescriptorSetLayout = (delegate* unmanaged[Cdecl]<nint, ulong, void*, void>)load("vkDestroyDescriptorSetLayout");
             vkCreateDescriptorPool = (delegate* unmanaged[Cdecl]<nint, VkDescriptorPoolCreateInfo*, void*, ulong*, int>)load("vkCreateDescriptorPool");
             vkDestroyDescriptorPool = (delegate* unmanaged[Cdecl]<nint, ulong, void*, void>)load("vkDestroyDescriptorPool");
@@ -124,7 +128,8 @@ namespace UnityEngine.Vulkan
             vkDestroyPipelineLayout = (delegate* unmanaged[Cdecl]<nint, ulong, void*, void>)load("vkDestroyPipelineLayout");
             vkCreateShaderModule = (delegate* unmanaged[Cdecl]<nint, VkShaderModuleCreateInfo*, void*, ulong*, int>)load("vkCreateShaderModule");
             vkDestroyShaderModule = (delegate* unmanaged[Cdecl]<nint, ulong, void*, void>)load("vkDestroyShaderModule");
-            vkCreateComputePipelines = (delegate* unmanaged[Cdecl]<nint, ulong, uint, VkComputePipelineCreateInfo*, void*, ulong*, int>)load("vkCreateComputePipelines");
+            vkCreateComputePipelines =
+                (delegate* unmanaged[Cdecl]<nint, ulong, uint, VkComputePipelineCreateInfo*, void*, ulong*, int>)load("vkCreateComputePipelines");
             vkDestroyPipeline = (delegate* unmanaged[Cdecl]<nint, ulong, void*, void>)load("vkDestroyPipeline");
             vkCreatePipelineCache = (delegate* unmanaged[Cdecl]<nint, VkPipelineCacheCreateInfo*, void*, ulong*, int>)load("vkCreatePipelineCache");
             vkDestroyPipelineCache = (delegate* unmanaged[Cdecl]<nint, ulong, void*, void>)load("vkDestroyPipelineCache");

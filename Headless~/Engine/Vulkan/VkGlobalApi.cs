@@ -11,7 +11,8 @@ namespace UnityEngine.Vulkan
         {
             vkCreateInstance = (delegate* unmanaged[Cdecl]<VkInstanceCreateInfo*, void*, nint*, int>)load("vkCreateInstance");
             vkEnumerateInstanceLayerProperties = (delegate* unmanaged[Cdecl]<uint*, VkLayerProperties*, int>)load("vkEnumerateInstanceLayerProperties");
-            vkEnumerateInstanceExtensionProperties = (delegate* unmanaged[Cdecl]<byte*, uint*, VkExtensionProperties*, int>)load("vkEnumerateInstanceExtensionProperties");
+            vkEnumerateInstanceExtensionProperties =
+                (delegate* unmanaged[Cdecl]<byte*, uint*, VkExtensionProperties*, int>)load("vkEnumerateInstanceExtensionProperties");
         }
     }
 }

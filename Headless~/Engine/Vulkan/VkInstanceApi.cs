@@ -23,12 +23,17 @@ namespace UnityEngine.Vulkan
             vkGetPhysicalDeviceProperties = (delegate* unmanaged[Cdecl]<nint, VkPhysicalDeviceProperties*, void>)load("vkGetPhysicalDeviceProperties");
             vkGetPhysicalDeviceProperties2 = (delegate* unmanaged[Cdecl]<nint, VkPhysicalDeviceProperties2*, void>)load("vkGetPhysicalDeviceProperties2");
             vkGetPhysicalDeviceFeatures = (delegate* unmanaged[Cdecl]<nint, VkPhysicalDeviceFeatures*, void>)load("vkGetPhysicalDeviceFeatures");
-            vkGetPhysicalDeviceQueueFamilyProperties = (delegate* unmanaged[Cdecl]<nint, uint*, VkQueueFamilyProperties*, void>)load("vkGetPhysicalDeviceQueueFamilyProperties");
-            vkGetPhysicalDeviceMemoryProperties = (delegate* unmanaged[Cdecl]<nint, VkPhysicalDeviceMemoryProperties*, void>)load("vkGetPhysicalDeviceMemoryProperties");
-            vkGetPhysicalDeviceFormatProperties = (delegate* unmanaged[Cdecl]<nint, uint, VkFormatProperties*, void>)load("vkGetPhysicalDeviceFormatProperties");
-            vkEnumerateDeviceExtensionProperties = (delegate* unmanaged[Cdecl]<nint, byte*, uint*, VkExtensionProperties*, int>)load("vkEnumerateDeviceExtensionProperties");
+            vkGetPhysicalDeviceQueueFamilyProperties =
+                (delegate* unmanaged[Cdecl]<nint, uint*, VkQueueFamilyProperties*, void>)load("vkGetPhysicalDeviceQueueFamilyProperties");
+            vkGetPhysicalDeviceMemoryProperties =
+                (delegate* unmanaged[Cdecl]<nint, VkPhysicalDeviceMemoryProperties*, void>)load("vkGetPhysicalDeviceMemoryProperties");
+            vkGetPhysicalDeviceFormatProperties =
+                (delegate* unmanaged[Cdecl]<nint, uint, VkFormatProperties*, void>)load("vkGetPhysicalDeviceFormatProperties");
+            vkEnumerateDeviceExtensionProperties =
+                (delegate* unmanaged[Cdecl]<nint, byte*, uint*, VkExtensionProperties*, int>)load("vkEnumerateDeviceExtensionProperties");
             vkCreateDevice = (delegate* unmanaged[Cdecl]<nint, VkDeviceCreateInfo*, void*, nint*, int>)load("vkCreateDevice");
-            vkCreateDebugUtilsMessengerEXT = (delegate* unmanaged[Cdecl]<nint, VkDebugUtilsMessengerCreateInfoEXT*, void*, ulong*, int>)load("vkCreateDebugUtilsMessengerEXT");
+            vkCreateDebugUtilsMessengerEXT =
+                (delegate* unmanaged[Cdecl]<nint, VkDebugUtilsMessengerCreateInfoEXT*, void*, ulong*, int>)load("vkCreateDebugUtilsMessengerEXT");
             vkDestroyDebugUtilsMessengerEXT = (delegate* unmanaged[Cdecl]<nint, ulong, void*, void>)load("vkDestroyDebugUtilsMessengerEXT");
         }
     }

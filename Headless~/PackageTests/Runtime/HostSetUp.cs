@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using AnatomyCarve.Headless;
 using NUnit.Framework;
 using UnityEngine.TestTools;
@@ -19,12 +17,7 @@ public sealed class HostSetUp
     public void EndHost()
     {
         m_Host.Dispose();
-        if (m_Host.Report.IsClean)
-            return;
-        // A failing OneTimeTearDown does not fail `dotnet test`; ending the process does.
-        // NUnit keeps Console.Error to itself; the stream beneath reaches the runner.
-        using (var error = new StreamWriter(Console.OpenStandardError()))
-            error.WriteLine("The host ended with " + m_Host.Report);
-        Environment.Exit(1);
+        HostEnds.Note("the package's tests", m_Host.Report.IsClean, m_Host.Report);
+        HostEnds.Conclude();
     }
 }

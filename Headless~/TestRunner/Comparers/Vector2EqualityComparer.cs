@@ -18,7 +18,8 @@ namespace UnityEngine.TestTools.Utils
         /// <summary>The comparer with the default error, 0.0001.</summary>
         public static Vector2EqualityComparer Instance { get; } = new();
 
-        public bool Equals(Vector2 expected, Vector2 actual) => Utils.AreFloatsEqual(expected.x, actual.x, m_AllowedError) && Utils.AreFloatsEqual(expected.y, actual.y, m_AllowedError);
+        public bool Equals(Vector2 expected, Vector2 actual) =>
+            Utils.AreFloatsEqual(expected.x, actual.x, m_AllowedError) && Utils.AreFloatsEqual(expected.y, actual.y, m_AllowedError);
 
         public int GetHashCode(Vector2 vec2) => 0;
     }

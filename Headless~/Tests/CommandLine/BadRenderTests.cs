@@ -3,89 +3,90 @@ using System.IO;
 using System.Linq;
 using NUnit.Framework;
 
-namespace AnatomyCarve.Headless.Tests.CommandLine;
-
-/// <summary>Renderings whose input is bad: exit code 1, one line that names the culprit, nothing written.</summary>
-sealed class BadRenderTests
+namespace AnatomyCarve.Headless.Tests.CommandLine
 {
-    const string Camera = """{"space": "LPS", "eyeMm": [23, -181, 15], "targetMm": [23, 19, 15], "up": [0, 0, 1], "verticalFovDegrees": 20}""";
-
-    TestFolder folder;
-
-    [SetUp]
-    public void MakeFolder() => folder = new TestFolder();
-
-    [TearDown]
-    public void DeleteFolder() => folder.Dispose();
-
-    [Test]
-    public void Render_OfMissingVolume_IsRefused() => IsRefused("missing.nrrd", Carve.InProcess, volume: folder["missing.nrrd"]);
-
-    [Test]
-    public void Render_WithMissingLabels_IsRefused() => IsRefused("missing.seg.nrrd", Carve.InProcess, null, "--labels", folder["missing.seg.nrrd"]);
-
-    [Test]
-    public void Render_WithMissingCarving_IsRefused() => IsRefused("missing.json", Carve.InProcess, null, "--carving", folder["missing.json"]);
-
-    [Test]
-    public void Render_WithMissingCamera_IsRefused() => IsRefused("missing.json", Carve.InProcess, null, "--camera", folder["missing.json"]);
-
-    [TestCase("no JSON", "not a camera")]
-    [TestCase("{}", "space")]
-    [TestCase("""{"space": "MNI", "eyeMm": [23, -181, 15], "targetMm": [23, 19, 15], "up": [0, 0, 1], "verticalFovDegrees": 20}""", "space")]
-    [TestCase("""{"space": "LPS", "eyeMm": [23, -181], "targetMm": [23, 19, 15], "up": [0, 0, 1], "verticalFovDegrees": 20}""", "eyeMm")]
-    [TestCase("""{"space": "LPS", "eyeMm": [23, -181, 15], "targetMm": [23, -181, 15], "up": [0, 0, 1], "verticalFovDegrees": 20}""", "same point")]
-    [TestCase("""{"space": "LPS", "eyeMm": [23, -181, 15], "targetMm": [23, 19, 15], "up": [0, 2, 0], "verticalFovDegrees": 20}""", "up")]
-    [TestCase("""{"space": "LPS", "eyeMm": [23, -181, 15], "targetMm": [23, 19, 15], "up": [0, 0, 1], "verticalFovDegrees": 180}""", "verticalFovDegrees")]
-    [TestCase("""{"space": "LPS", "eyeMm": [23, -181, 15], "targetMm": [23, 19, 15], "up": [0, 0, 1]}""", "verticalFovDegrees")]
-    public void Render_WithBadCamera_IsRefused(string json, string culprit) =>
-        IsRefused(culprit, Carve.InProcess, null, "--camera", folder.Write("camera.json", json));
-
-    [TestCase("somewhere")]
-    [TestCase("0:0,100")]
-    [TestCase("0:zero,100:1")]
-    [TestCase("0:0,100:7")]
-    public void Render_WithBadTransferFunction_IsRefused(string text) => IsRefused("", Carve.InProcess, null, "--tf", text);
-
-    [Test]
-    public void Render_IntoMissingFolder_IsRefused() =>
-        IsRefused("folder", Carve.InProcess, null, "--depth", Path.Combine(folder.Path, "nowhere", "depth.pfm"));
-
-    [Test]
-    public void Render_OntoAFolder_IsRefused()
+    /// <summary>Renderings whose input is bad: exit code 1, one line that names the culprit, nothing written.</summary>
+    sealed class BadRenderTests
     {
-        Directory.CreateDirectory(folder["taken.pfm"]);
+        const string Camera = """{"space": "LPS", "eyeMm": [23, -181, 15], "targetMm": [23, 19, 15], "up": [0, 0, 1], "verticalFovDegrees": 20}""";
 
-        IsRefused("taken.pfm", Carve.InProcess, null, "--depth", folder["taken.pfm"]);
-    }
+        TestFolder folder;
 
-    [Test]
-    public void Render_OfSomethingElse_IsRefused() => IsRefused("text.nrrd", Carve.Process, folder.Write("text.nrrd", "this is no volume"));
+        [SetUp]
+        public void MakeFolder() => folder = new TestFolder();
 
-    [Test]
-    public void Render_WithLabelsOfAnotherGrid_IsRefused() =>
-        IsRefused("", Carve.Process, null, "--labels", Phantom.WriteLabels(folder, "moved.seg.nrrd", originMm: 3));
+        [TearDown]
+        public void DeleteFolder() => folder.Dispose();
 
-    [TestCase("""{"version": 99, "space": "LPS", "spheres": []}""")]
-    [TestCase("""{"version": 1, "space": "LPS", "spheres": [{"centerMm": [0, 0, 0], "radiusMm": -1, "clipped": []}]}""")]
-    [TestCase("""{"version": 1, "sphe""")]
-    public void Render_WithBadCarving_IsRefused(string json) =>
-        IsRefused("carving.json", Carve.Process, null, "--carving", folder.Write("carving.json", json));
+        [Test]
+        public void Render_OfMissingVolume_IsRefused() => IsRefused("missing.nrrd", Carve.InProcess, volume: folder["missing.nrrd"]);
 
-    void IsRefused(string culprit, Func<string[], CarveResult> carve, string volume = null, params string[] options)
-    {
-        folder.Write("good.camera.json", Camera);
-        volume ??= Phantom.WriteVolume(folder);
-        var before = folder.FileNames.ToArray();
-        string[] camera = options.Contains("--camera") ? [] : ["--camera", folder["good.camera.json"]];
+        [Test]
+        public void Render_WithMissingLabels_IsRefused() => IsRefused("missing.seg.nrrd", Carve.InProcess, null, "--labels", folder["missing.seg.nrrd"]);
 
-        var result = carve(["render", volume, "--size", "16x16", "--output", folder["out.png"], .. camera, .. options]);
+        [Test]
+        public void Render_WithMissingCarving_IsRefused() => IsRefused("missing.json", Carve.InProcess, null, "--carving", folder["missing.json"]);
 
-        Assert.That(result.ExitCode, Is.EqualTo(1), result.Error);
-        Assert.That(result.ErrorLines, Has.Length.EqualTo(1), result.Error);
-        Assert.That(result.Error, Does.StartWith("carve: ").And.Contain(culprit));
-        Assert.That(result.Error, Does.Not.Contain("unexpected"));
-        Assert.That(result.Output, Is.Empty);
-        Assert.That(folder.FileNames, Is.EqualTo(before));
+        [Test]
+        public void Render_WithMissingCamera_IsRefused() => IsRefused("missing.json", Carve.InProcess, null, "--camera", folder["missing.json"]);
+
+        [TestCase("no JSON", "not a camera")]
+        [TestCase("{}", "space")]
+        [TestCase("""{"space": "MNI", "eyeMm": [23, -181, 15], "targetMm": [23, 19, 15], "up": [0, 0, 1], "verticalFovDegrees": 20}""", "space")]
+        [TestCase("""{"space": "LPS", "eyeMm": [23, -181], "targetMm": [23, 19, 15], "up": [0, 0, 1], "verticalFovDegrees": 20}""", "eyeMm")]
+        [TestCase("""{"space": "LPS", "eyeMm": [23, -181, 15], "targetMm": [23, -181, 15], "up": [0, 0, 1], "verticalFovDegrees": 20}""", "same point")]
+        [TestCase("""{"space": "LPS", "eyeMm": [23, -181, 15], "targetMm": [23, 19, 15], "up": [0, 2, 0], "verticalFovDegrees": 20}""", "up")]
+        [TestCase("""{"space": "LPS", "eyeMm": [23, -181, 15], "targetMm": [23, 19, 15], "up": [0, 0, 1], "verticalFovDegrees": 180}""", "verticalFovDegrees")]
+        [TestCase("""{"space": "LPS", "eyeMm": [23, -181, 15], "targetMm": [23, 19, 15], "up": [0, 0, 1]}""", "verticalFovDegrees")]
+        public void Render_WithBadCamera_IsRefused(string json, string culprit) =>
+            IsRefused(culprit, Carve.InProcess, null, "--camera", folder.Write("camera.json", json));
+
+        [TestCase("somewhere")]
+        [TestCase("0:0,100")]
+        [TestCase("0:zero,100:1")]
+        [TestCase("0:0,100:7")]
+        public void Render_WithBadTransferFunction_IsRefused(string text) => IsRefused("", Carve.InProcess, null, "--tf", text);
+
+        [Test]
+        public void Render_IntoMissingFolder_IsRefused() =>
+            IsRefused("folder", Carve.InProcess, null, "--depth", Path.Combine(folder.Path, "nowhere", "depth.pfm"));
+
+        [Test]
+        public void Render_OntoAFolder_IsRefused()
+        {
+            Directory.CreateDirectory(folder["taken.pfm"]);
+
+            IsRefused("taken.pfm", Carve.InProcess, null, "--depth", folder["taken.pfm"]);
+        }
+
+        [Test]
+        public void Render_OfSomethingElse_IsRefused() => IsRefused("text.nrrd", Carve.Process, folder.Write("text.nrrd", "this is no volume"));
+
+        [Test]
+        public void Render_WithLabelsOfAnotherGrid_IsRefused() =>
+            IsRefused("", Carve.Process, null, "--labels", Phantom.WriteLabels(folder, "moved.seg.nrrd", originMm: 3));
+
+        [TestCase("""{"version": 99, "space": "LPS", "spheres": []}""")]
+        [TestCase("""{"version": 1, "space": "LPS", "spheres": [{"centerMm": [0, 0, 0], "radiusMm": -1, "clipped": []}]}""")]
+        [TestCase("""{"version": 1, "sphe""")]
+        public void Render_WithBadCarving_IsRefused(string json) =>
+            IsRefused("carving.json", Carve.Process, null, "--carving", folder.Write("carving.json", json));
+
+        void IsRefused(string culprit, Func<string[], CarveResult> carve, string volume = null, params string[] options)
+        {
+            folder.Write("good.camera.json", Camera);
+            volume ??= Phantom.WriteVolume(folder);
+            var before = folder.FileNames.ToArray();
+            string[] camera = options.Contains("--camera") ? [] : ["--camera", folder["good.camera.json"]];
+
+            var result = carve(["render", volume, "--size", "16x16", "--output", folder["out.png"], .. camera, .. options]);
+
+            Assert.That(result.ExitCode, Is.EqualTo(1), result.Error);
+            Assert.That(result.ErrorLines, Has.Length.EqualTo(1), result.Error);
+            Assert.That(result.Error, Does.StartWith("carve: ").And.Contain(culprit));
+            Assert.That(result.Error, Does.Not.Contain("unexpected"));
+            Assert.That(result.Output, Is.Empty);
+            Assert.That(folder.FileNames, Is.EqualTo(before));
+        }
     }
 }

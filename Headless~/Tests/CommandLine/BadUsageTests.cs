@@ -1,40 +1,41 @@
 using NUnit.Framework;
 
-namespace AnatomyCarve.Headless.Tests.CommandLine;
-
-/// <summary>Arguments that can't be right: exit code 2, one line, nothing written.</summary>
-sealed class BadUsageTests
+namespace AnatomyCarve.Headless.Tests.CommandLine
 {
-    [TestCase("nothing", TestName = "BadUsage_UnknownCommand_IsRefused")]
-    [TestCase(TestName = "BadUsage_NoCommand_IsRefused")]
-    [TestCase("info", TestName = "BadUsage_InfoWithoutFile_IsRefused")]
-    [TestCase("info", "a.nrrd", "--jsno", TestName = "BadUsage_MisspelledOption_IsRefused")]
-    [TestCase("compare", "a.png", TestName = "BadUsage_CompareWithOneFile_IsRefused")]
-    [TestCase("expect", "a.json", TestName = "BadUsage_ExpectWithOneFile_IsRefused")]
-    [TestCase("render", "a.nrrd", TestName = "BadUsage_RenderWithoutOutput_IsRefused")]
-    [TestCase("render", "--output", "a.png", TestName = "BadUsage_RenderWithoutVolume_IsRefused")]
-    [TestCase("render", "a.nrrd", "--output", "a.jpg", TestName = "BadUsage_PictureThatIsNoPng_IsRefused")]
-    [TestCase("render", "a.nrrd", "--output", "a.png", "--depth", "a.exr", TestName = "BadUsage_DepthThatIsNoPfm_IsRefused")]
-    [TestCase("render", "a.nrrd", "--output", "a.png", "--segments", "a.png", TestName = "BadUsage_SegmentsThatAreNoPgm_IsRefused")]
-    [TestCase("render", "a.nrrd", "--output", "a.png", "--report", "a.txt", TestName = "BadUsage_ReportThatIsNoJson_IsRefused")]
-    [TestCase("render", "a.nrrd", "--output", "a.png", "--size", "512", TestName = "BadUsage_SizeWithOneSide_IsRefused")]
-    [TestCase("render", "a.nrrd", "--output", "a.png", "--size", "0x512", TestName = "BadUsage_SizeOfNothing_IsRefused")]
-    [TestCase("render", "a.nrrd", "--output", "a.png", "--size", "99999x9", TestName = "BadUsage_SizeBeyondTextures_IsRefused")]
-    [TestCase("render", "a.nrrd", "--output", "a.png", "--size", "-5x5", TestName = "BadUsage_NegativeSize_IsRefused")]
-    [TestCase("render", "a.nrrd", "--output", "a.png", "--quality", "superb", TestName = "BadUsage_UnknownQuality_IsRefused")]
-    [TestCase("render", "a.nrrd", "--output", "a.png", "--cut", "sharp", TestName = "BadUsage_UnknownCut_IsRefused")]
-    [TestCase("render", "a.nrrd", "--output", "a.png", "--background", "blue", TestName = "BadUsage_BackgroundByName_IsRefused")]
-    [TestCase("render", "a.nrrd", "--output", "a.png", "--camera", "12", TestName = "BadUsage_CameraOfOneAngle_IsRefused")]
-    [TestCase("render", "a.nrrd", "--output", "a.png", "--camera", "0,91", TestName = "BadUsage_ElevationBeyondThePole_IsRefused")]
-    [TestCase("render", "a.nrrd", "--output", "a.png", "--camera", "0,0,180", TestName = "BadUsage_FieldOfViewOf180_IsRefused")]
-    [TestCase("render", "a.nrrd", "--output", "a.png", "--camera", "nan,0", TestName = "BadUsage_AngleThatIsNoNumber_IsRefused")]
-    public void BadUsage(params string[] arguments)
+    /// <summary>Arguments that can't be right: exit code 2, one line, nothing written.</summary>
+    sealed class BadUsageTests
     {
-        var result = Carve.InProcess(arguments);
+        [TestCase("nothing", TestName = "BadUsage_UnknownCommand_IsRefused")]
+        [TestCase(TestName = "BadUsage_NoCommand_IsRefused")]
+        [TestCase("info", TestName = "BadUsage_InfoWithoutFile_IsRefused")]
+        [TestCase("info", "a.nrrd", "--jsno", TestName = "BadUsage_MisspelledOption_IsRefused")]
+        [TestCase("compare", "a.png", TestName = "BadUsage_CompareWithOneFile_IsRefused")]
+        [TestCase("expect", "a.json", TestName = "BadUsage_ExpectWithOneFile_IsRefused")]
+        [TestCase("render", "a.nrrd", TestName = "BadUsage_RenderWithoutOutput_IsRefused")]
+        [TestCase("render", "--output", "a.png", TestName = "BadUsage_RenderWithoutVolume_IsRefused")]
+        [TestCase("render", "a.nrrd", "--output", "a.jpg", TestName = "BadUsage_PictureThatIsNoPng_IsRefused")]
+        [TestCase("render", "a.nrrd", "--output", "a.png", "--depth", "a.exr", TestName = "BadUsage_DepthThatIsNoPfm_IsRefused")]
+        [TestCase("render", "a.nrrd", "--output", "a.png", "--segments", "a.png", TestName = "BadUsage_SegmentsThatAreNoPgm_IsRefused")]
+        [TestCase("render", "a.nrrd", "--output", "a.png", "--report", "a.txt", TestName = "BadUsage_ReportThatIsNoJson_IsRefused")]
+        [TestCase("render", "a.nrrd", "--output", "a.png", "--size", "512", TestName = "BadUsage_SizeWithOneSide_IsRefused")]
+        [TestCase("render", "a.nrrd", "--output", "a.png", "--size", "0x512", TestName = "BadUsage_SizeOfNothing_IsRefused")]
+        [TestCase("render", "a.nrrd", "--output", "a.png", "--size", "99999x9", TestName = "BadUsage_SizeBeyondTextures_IsRefused")]
+        [TestCase("render", "a.nrrd", "--output", "a.png", "--size", "-5x5", TestName = "BadUsage_NegativeSize_IsRefused")]
+        [TestCase("render", "a.nrrd", "--output", "a.png", "--quality", "superb", TestName = "BadUsage_UnknownQuality_IsRefused")]
+        [TestCase("render", "a.nrrd", "--output", "a.png", "--cut", "sharp", TestName = "BadUsage_UnknownCut_IsRefused")]
+        [TestCase("render", "a.nrrd", "--output", "a.png", "--background", "blue", TestName = "BadUsage_BackgroundByName_IsRefused")]
+        [TestCase("render", "a.nrrd", "--output", "a.png", "--camera", "12", TestName = "BadUsage_CameraOfOneAngle_IsRefused")]
+        [TestCase("render", "a.nrrd", "--output", "a.png", "--camera", "0,91", TestName = "BadUsage_ElevationBeyondThePole_IsRefused")]
+        [TestCase("render", "a.nrrd", "--output", "a.png", "--camera", "0,0,180", TestName = "BadUsage_FieldOfViewOf180_IsRefused")]
+        [TestCase("render", "a.nrrd", "--output", "a.png", "--camera", "nan,0", TestName = "BadUsage_AngleThatIsNoNumber_IsRefused")]
+        public void BadUsage(params string[] arguments)
+        {
+            var result = Carve.InProcess(arguments);
 
-        Assert.That(result.ExitCode, Is.EqualTo(2), result.Error);
-        Assert.That(result.ErrorLines, Has.Length.EqualTo(1), result.Error);
-        Assert.That(result.ErrorLines[0], Does.StartWith("carve: "));
-        Assert.That(result.Output, Is.Empty);
+            Assert.That(result.ExitCode, Is.EqualTo(2), result.Error);
+            Assert.That(result.ErrorLines, Has.Length.EqualTo(1), result.Error);
+            Assert.That(result.ErrorLines[0], Does.StartWith("carve: "));
+            Assert.That(result.Output, Is.Empty);
+        }
     }
 }

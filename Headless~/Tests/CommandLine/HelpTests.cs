@@ -1,42 +1,45 @@
 using NUnit.Framework;
 
-namespace AnatomyCarve.Headless.Tests.CommandLine;
-
-sealed class HelpTests
+namespace AnatomyCarve.Headless.Tests.CommandLine
 {
-    [Test]
-    public void Help_WithoutCommand_NamesEachCommand()
+    sealed class HelpTests
     {
-        var result = Carve.InProcess("--help");
-
-        Assert.That(result.ExitCode, Is.Zero);
-        foreach (var command in new[] { "render", "info", "compare", "expect" })
-            Assert.That(result.Output, Does.Match($@"(?m)^\s+{command}\b"), command);
-    }
-
-    [Test]
-    public void Help_OfRender_DescribesEachOption()
-    {
-        var result = Carve.InProcess("render", "--help");
-
-        Assert.That(result.ExitCode, Is.Zero);
-        foreach (var option in new[]
+        [Test]
+        public void Help_WithoutCommand_NamesEachCommand()
         {
-            "--labels", "--tf", "--carving", "--camera", "--size", "--quality", "--cut", "--background", "--output", "--depth", "--segments", "--report", "--no-progress",
-        })
-            Assert.That(result.Output, Does.Match($@"(?m)^\s+{option}\b.*\s\w+"), option);
-        Assert.That(result.Output, Does.Contain("AZIMUTH,ELEVATION"));
-        Assert.That(result.Output, Does.Contain("balanced|best|fast").Or.Contain("fast|balanced|best"));
-    }
+            var result = Carve.InProcess("--help");
 
-    [TestCase("info", "--json")]
-    [TestCase("compare", "--json")]
-    [TestCase("expect", "REPORT")]
-    public void Help_OfCommand_DescribesItsArguments(string command, string argument)
-    {
-        var result = Carve.InProcess(command, "--help");
+            Assert.That(result.ExitCode, Is.Zero);
+            foreach (var command in new[] { "render", "info", "compare", "expect" })
+                Assert.That(result.Output, Does.Match($@"(?m)^\s+{command}\b"), command);
+        }
 
-        Assert.That(result.ExitCode, Is.Zero);
-        Assert.That(result.Output, Does.Contain(argument));
+        [Test]
+        public void Help_OfRender_DescribesEachOption()
+        {
+            var result = Carve.InProcess("render", "--help");
+
+            Assert.That(result.ExitCode, Is.Zero);
+            foreach (var option in new[]
+            {
+                "--labels", "--tf", "--carving", "--camera", "--size", "--quality", "--cut", "--background", "--output",
+                "--depth", "--segments", "--report", "--no-progress",
+            })
+                Assert.That(result.Output, Does.Match($@"(?m)^\s+{option}\b.*\s\w+"), option);
+            Assert.That(result.Output, Does.Contain("AZIMUTH,ELEVATION"));
+            Assert.That(result.Output, Does.Match(@"fast:\s+step\s+1,\s+binary\s+cuts,\s+hardware\s+filter"));
+            Assert.That(result.Output, Does.Contain("balanced|best|fast").Or.Contain("fast|balanced|best"));
+        }
+
+        [TestCase("info", "--json")]
+        [TestCase("compare", "--json")]
+        [TestCase("expect", "REPORT")]
+        public void Help_OfCommand_DescribesItsArguments(string command, string argument)
+        {
+            var result = Carve.InProcess(command, "--help");
+
+            Assert.That(result.ExitCode, Is.Zero);
+            Assert.That(result.Output, Does.Contain(argument));
+        }
     }
 }

@@ -62,7 +62,8 @@ namespace AnatomyCarve.Headless.Tests.Graphics
                 Assert.That(SystemInfo.IsFormatSupported(GraphicsFormat.R8_UNorm, GraphicsFormatUsage.Sample), Is.False);
                 Assert.That(SystemInfo.GetCompatibleFormat(GraphicsFormat.R8_UNorm, GraphicsFormatUsage.LoadStore), Is.EqualTo(GraphicsFormat.R8G8B8A8_UNorm));
                 Assert.Throws<ArgumentException>(() => _ = new RenderTexture(new RenderTextureDescriptor(4, 4, GraphicsFormat.R8_UNorm, 0)));
-                UnityEngine.TestTools.LogAssert.Expect(LogType.Error, new System.Text.RegularExpressions.Regex("Texture creation failed. 'R8_UNorm' is not supported"));
+                UnityEngine.TestTools.LogAssert.Expect(LogType.Error,
+                    new System.Text.RegularExpressions.Regex("Texture creation failed. 'R8_UNorm' is not supported"));
                 Assert.That(new Texture3D(4, 4, 4, GraphicsFormat.R8_UNorm, TextureCreationFlags.None) == null, "a fake null");
             }
             finally

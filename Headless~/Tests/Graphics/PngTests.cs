@@ -114,7 +114,13 @@ namespace AnatomyCarve.Headless.Tests.Graphics
                 var row = data.AsSpan(y * (stride + 1) + 1, stride).ToArray();
                 var filter = data[y * (stride + 1)];
                 for (var x = 0; x < stride; x++)
-                    row[x] += filter switch { 0 => 0, 1 => x < pixel ? (byte)0 : row[x - pixel], 2 => y == 0 ? (byte)0 : rows[y - 1][x], _ => throw new InvalidDataException() };
+                    row[x] += filter switch
+                    {
+                        0 => 0,
+                        1 => x < pixel ? (byte)0 : row[x - pixel],
+                        2 => y == 0 ? (byte)0 : rows[y - 1][x],
+                        _ => throw new InvalidDataException(),
+                    };
                 rows.Add(row);
             }
             return rows;

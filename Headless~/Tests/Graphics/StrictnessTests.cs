@@ -176,7 +176,8 @@ namespace AnatomyCarve.Headless.Tests.Graphics
         public void SameTexture_ReadAndWritten_LogsAndDoesNothing()
         {
             var path = System.IO.Path.Combine(System.IO.Path.GetTempPath(), Guid.NewGuid().ToString("N") + ".compute");
-            System.IO.File.WriteAllText(path, "#pragma kernel Main\nTexture2D<float> _In;\nRWTexture2D<float> _Out;\n[numthreads(1,1,1)] void Main() { _Out[uint2(0,0)] = _In[uint2(0,0)]; }\n");
+            System.IO.File.WriteAllText(path, "#pragma kernel Main\nTexture2D<float> _In;\nRWTexture2D<float> _Out;\n[numthreads(1,1,1)] void Main() { "
+                + "_Out[uint2(0,0)] = _In[uint2(0,0)]; }\n");
             try
             {
                 var shader = Own(ComputeShader.Load(path));

@@ -90,7 +90,8 @@ namespace AnatomyCarve.Headless.Tests.Hosting
 
         [Test]
         public void Start_WithoutPackage_Throws() =>
-            Assert.That(() => UnityHost.Start(new HostOptions { PackageRoot = Path.Combine(Path.GetTempPath(), Guid.NewGuid().ToString()) }), Throws.InstanceOf<DirectoryNotFoundException>());
+            Assert.That(() => UnityHost.Start(new HostOptions { PackageRoot = Path.Combine(Path.GetTempPath(), Guid.NewGuid().ToString()) }),
+                Throws.InstanceOf<DirectoryNotFoundException>());
 
         [Test]
         public void Dispose_CancelsTheExitToken()

@@ -64,7 +64,8 @@ namespace AnatomyCarve.Headless.Tests.Objects
         }
 
         static string Yaml(string fields) => "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n--- !u!114 &11400000\nMonoBehaviour:\n" +
-            "  m_ObjectHideFlags: 0\n  m_CorrespondingSourceObject: {fileID: 0}\n  m_PrefabInstance: {fileID: 0}\n  m_PrefabAsset: {fileID: 0}\n  m_GameObject: {fileID: 0}\n" +
+            "  m_ObjectHideFlags: 0\n  m_CorrespondingSourceObject: {fileID: 0}\n  m_PrefabInstance: {fileID: 0}\n  m_PrefabAsset: {fileID: 0}\n  "
+                + "m_GameObject: {fileID: 0}\n" +
             $"  m_Enabled: 1\n  m_EditorHideFlags: 0\n  m_Script: {{fileID: 11500000, guid: {ScriptGuid}, type: 3}}\n  m_EditorClassIdentifier: \n{fields}\n";
 
         SampleAsset Load(string fields)
@@ -98,7 +99,8 @@ namespace AnatomyCarve.Headless.Tests.Objects
         public void Load_ReadsNestedData() => Assert.That(Load("  inner:\n    number: 4\n    text: deep").inner.text, Is.EqualTo("deep"));
 
         [Test]
-        public void Load_ResolvesReferencesByGuid() => Assert.That(Load($"  other: {{fileID: 11400000, guid: {OtherGuid}, type: 2}}").other.number, Is.EqualTo(9));
+        public void Load_ResolvesReferencesByGuid() =>
+            Assert.That(Load($"  other: {{fileID: 11400000, guid: {OtherGuid}, type: 2}}").other.number, Is.EqualTo(9));
 
         [Test]
         public void Load_OfFileIdZero_IsNull() => Assert.That(Load("  nothing: {fileID: 0}").nothing == null, Is.True);
@@ -123,11 +125,13 @@ namespace AnatomyCarve.Headless.Tests.Objects
         }
 
         [Test]
-        public void Load_OfUnknownField_Throws() => Assert.That(() => Load("  unknown: 1"), Throws.TypeOf<AssetFormatException>().With.Message.Contains("'unknown'"));
+        public void Load_OfUnknownField_Throws() =>
+            Assert.That(() => Load("  unknown: 1"), Throws.TypeOf<AssetFormatException>().With.Message.Contains("'unknown'"));
 
         [Test]
         public void Load_OfUnknownGuid_Throws() =>
-            Assert.That(() => Load("  other: {fileID: 11400000, guid: 99999999999999999999999999999999, type: 2}"), Throws.TypeOf<AssetFormatException>().With.Message.Contains("99999"));
+            Assert.That(() => Load("  other: {fileID: 11400000, guid: 99999999999999999999999999999999, type: 2}"),
+                Throws.TypeOf<AssetFormatException>().With.Message.Contains("99999"));
 
         [Test]
         public void Load_OfReferenceToAnotherType_Throws() =>
@@ -136,7 +140,8 @@ namespace AnatomyCarve.Headless.Tests.Objects
         [Test]
         public void Load_OfUnknownScript_Throws()
         {
-            Write("Runtime/Resources/Lost.asset", Yaml("  m_Name: Lost").Replace(ScriptGuid, "44444444444444444444444444444444", StringComparison.Ordinal), "55555555555555555555555555555555");
+            Write("Runtime/Resources/Lost.asset", Yaml("  m_Name: Lost").Replace(ScriptGuid, "44444444444444444444444444444444", StringComparison.Ordinal),
+                "55555555555555555555555555555555");
             AssetLibrary.AddRoot(m_Root);
             Assert.That(() => Resources.Load<Object>("Lost"), Throws.TypeOf<AssetFormatException>().With.Message.Contains("44444"));
         }

@@ -105,7 +105,8 @@ namespace AnatomyCarve.Headless.Tests.Objects
         }
 
         [Test]
-        public void CreateInstance_OfOtherType_Throws() => Assert.That(() => ScriptableObject.CreateInstance(typeof(string)), Throws.TypeOf<ArgumentException>());
+        public void CreateInstance_OfOtherType_Throws() =>
+            Assert.That(() => ScriptableObject.CreateInstance(typeof(string)), Throws.TypeOf<ArgumentException>());
 
         [Test]
         public void Asset_Destroyed_IsRefused()

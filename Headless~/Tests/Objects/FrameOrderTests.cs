@@ -33,7 +33,8 @@ namespace AnatomyCarve.Headless.Tests.Objects
             Application.onBeforeRender -= Render;
             Camera.onPreCull -= Cull;
             EngineLoop.EarlyUpdate -= Early;
-            Assert.That(Recorder.Log.Distinct(), Is.EqualTo(new[] { "early", "a.FixedUpdate", "a.Update", "posted", "a.LateUpdate", "onBeforeRender", "onPreCull" }));
+            Assert.That(Recorder.Log.Distinct(),
+                Is.EqualTo(new[] { "early", "a.FixedUpdate", "a.Update", "posted", "a.LateUpdate", "onBeforeRender", "onPreCull" }));
         }
 
         [Test]
@@ -129,7 +130,8 @@ namespace AnatomyCarve.Headless.Tests.Objects
         }
 
         [Test]
-        public void Math_OnAnotherThread_Works() => Assert.That(Task.Run(() => Quaternion.Euler(0f, 90f, 0f) * Vector3.forward).Result.x, Is.EqualTo(1f).Within(1E-6f));
+        public void Math_OnAnotherThread_Works() =>
+            Assert.That(Task.Run(() => Quaternion.Euler(0f, 90f, 0f) * Vector3.forward).Result.x, Is.EqualTo(1f).Within(1E-6f));
 
         [Test]
         public void LogMessageReceived_ForALogOfAnotherThread_IsNotRaised()

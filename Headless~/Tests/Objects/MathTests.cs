@@ -50,7 +50,8 @@ namespace AnatomyCarve.Headless.Tests.Objects
 
         [Test]
         public void Slerp_Halfway_IsHalfTheTurn() =>
-            Assert.That(Quaternion.Slerp(Quaternion.identity, Quaternion.AngleAxis(90f, Vector3.up), 0.5f), Is.EqualTo(Quaternion.AngleAxis(45f, Vector3.up)).Using(QuaternionEqualityComparer.Instance));
+            Assert.That(Quaternion.Slerp(Quaternion.identity, Quaternion.AngleAxis(90f, Vector3.up), 0.5f),
+                Is.EqualTo(Quaternion.AngleAxis(45f, Vector3.up)).Using(QuaternionEqualityComparer.Instance));
 
         [Test]
         public void Cross_FollowsTheUsualFormula() => Assert.That(Vector3.Cross(Vector3.right, Vector3.up), Is.EqualTo(Vector3.forward));
@@ -101,13 +102,15 @@ namespace AnatomyCarve.Headless.Tests.Objects
 
         [Test]
         public void Perspective_Of90Degrees_PutsTheEdgeAtTheDistance() =>
-            Assert.That(Matrix4x4.Perspective(90f, 2f, 1f, 10f).MultiplyPoint(new Vector3(4f, 2f, -2f)), Is.EqualTo(new Vector3(1f, 1f, 0.1111111f)).Using(s_Near));
+            Assert.That(Matrix4x4.Perspective(90f, 2f, 1f, 10f).MultiplyPoint(new Vector3(4f, 2f, -2f)),
+                Is.EqualTo(new Vector3(1f, 1f, 0.1111111f)).Using(s_Near));
 
         [Test]
         public void DecomposeProjection_GivesBackThePlanes()
         {
             var planes = Matrix4x4.Frustum(-1f, 2f, -3f, 4f, 0.5f, 20f).decomposeProjection;
-            Assert.That(new[] { planes.left, planes.right, planes.bottom, planes.top, planes.zNear, planes.zFar }, Is.EqualTo(new[] { -1f, 2f, -3f, 4f, 0.5f, 20f }).Within(1E-3f));
+            Assert.That(new[] { planes.left, planes.right, planes.bottom, planes.top, planes.zNear, planes.zFar },
+                Is.EqualTo(new[] { -1f, 2f, -3f, 4f, 0.5f, 20f }).Within(1E-3f));
         }
 
         [TestCase(0f, (ushort)0)]
@@ -128,7 +131,8 @@ namespace AnatomyCarve.Headless.Tests.Objects
         }
 
         [Test]
-        public void FloatToHalf_BetweenTwoHalves_RoundsToEven() => Assert.That((Mathf.FloatToHalf(2049f), Mathf.FloatToHalf(2051f)), Is.EqualTo(((ushort)0x6800, (ushort)0x6802)));
+        public void FloatToHalf_BetweenTwoHalves_RoundsToEven() =>
+            Assert.That((Mathf.FloatToHalf(2049f), Mathf.FloatToHalf(2051f)), Is.EqualTo(((ushort)0x6800, (ushort)0x6802)));
 
         [Test]
         public void Linear_OfHalfGrey_FollowsTheSrgbCurve() => Assert.That(new Color(0.5f, 0f, 1f).linear.r, Is.EqualTo(0.2140411f).Within(1E-6f));
@@ -143,7 +147,8 @@ namespace AnatomyCarve.Headless.Tests.Objects
         public void VectorEquality_IsApproximate() => Assert.That(Vector3.one == Vector3.one * 1.000001f, Is.True);
 
         [Test]
-        public void VectorToString_HasTwoDecimals() => Assert.That(new Vector3(1f, 2.345f, -3f).ToString(), Is.EqualTo("(1.00, 2.35, -3.00)").Or.EqualTo("(1.00, 2.34, -3.00)"));
+        public void VectorToString_HasTwoDecimals() =>
+            Assert.That(new Vector3(1f, 2.345f, -3f).ToString(), Is.EqualTo("(1.00, 2.35, -3.00)").Or.EqualTo("(1.00, 2.34, -3.00)"));
 
         [Test]
         public void Plane_Raycast_FindsTheDistance()

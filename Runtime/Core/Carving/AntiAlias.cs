@@ -29,6 +29,11 @@ namespace AnatomyCarve.Carving
         /// <summary>The sum of the Sobel operator's weights on both sides, by which its gradient is divided.</summary>
         public const float SobelWeightSum = 32f;
 
+        /// <summary>
+        /// Gradients below this are none, but for rounding: half of the smallest that 8-bit opacities can have (the kernel's NO_GRADIENT).
+        /// </summary>
+        public const float NoGradient = (float)(0.5 / (255 * 32));
+
         /// <summary>The anti-aliased opacity of a voxel.</summary>
         /// <param name="o">
         /// The 27 opacities around it, 0 to 1, i fastest: o[(di + 1) + 3 * (dj + 1) + 9 * (dk + 1)]. Beyond the volume's border the nearest voxel counts.
@@ -55,38 +60,39 @@ namespace AnatomyCarve.Carving
                 return centre;
             Gradient(o, out float gx, out float gy, out float gz);
             float size = (float)Math.Sqrt(gx * gx + gy * gy + gz * gz);
-            if (!(size > 0) || size < settings.GradientMinimum)
+            if (size < Math.Max(settings.GradientMinimum, NoGradient))
                 return centre;
             float blend = BlendAlongSurface(o, gx / size, gy / size, gz / size);
             float result = centre + settings.Strength * (blend - centre);
             return Math.Max(low, Math.Min(high, result));
         }
 
-        /// <summary>The Sobel gradient of a neighbourhood in opacity per voxel: weights 1 2 1 across, -1 0 1 along, divided by 32.</summary>
+        /// <summary>
+        /// The Sobel gradient of a neighbourhood in opacity per voxel: weights 1 2 1 across, -1 0 1 along, divided by 32. Differences come first, so
+        /// equal values on both sides give exactly 0.
+        /// </summary>
         /// <param name="o">27 opacities as for <see cref="Filter"/>.</param>
         /// <param name="gx">Gradient along i; <paramref name="gy"/> along j, <paramref name="gz"/> along k.</param>
         /// <param name="gy">Gradient along j.</param>
         /// <param name="gz">Gradient along k.</param>
         public static void Gradient(ReadOnlySpan<float> o, out float gx, out float gy, out float gz)
         {
-            gx = 0;
-            gy = 0;
-            gz = 0;
-            for (int index = 0; index < Neighbourhood; index++)
+            gx = GradientAlong(o, 1, 3, 9);
+            gy = GradientAlong(o, 3, 9, 1);
+            gz = GradientAlong(o, 9, 1, 3);
+        }
+
+        static float GradientAlong(ReadOnlySpan<float> o, int along, int u, int v)
+        {
+            float sum = 0;
+            for (int n = 0; n < 9; n++)
             {
-                int di = index % 3 - 1;
-                int dj = index / 3 % 3 - 1;
-                int dk = index / 9 - 1;
-                float wi = 2 - Math.Abs(di);
-                float wj = 2 - Math.Abs(dj);
-                float wk = 2 - Math.Abs(dk);
-                gx += di * wj * wk * o[index];
-                gy += dj * wi * wk * o[index];
-                gz += dk * wi * wj * o[index];
+                int a = n % 3, b = n / 3;
+                float weight = (a == 1 ? 2 : 1) * (b == 1 ? 2 : 1);
+                int low = a * u + b * v;
+                sum = (float)(sum + weight * (float)(o[low + 2 * along] - o[low]));
             }
-            gx /= SobelWeightSum;
-            gy /= SobelWeightSum;
-            gz /= SobelWeightSum;
+            return sum / SobelWeightSum;
         }
 
         static float BlendAlongSurface(ReadOnlySpan<float> o, float nx, float ny, float nz)

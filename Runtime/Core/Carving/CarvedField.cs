@@ -6,29 +6,39 @@ namespace AnatomyCarve.Carving
 {
     /// <summary>
     /// What the kernels <c>ClipVoxels</c> and <c>AntiAlias</c> make of a volume and its carving, on the CPU and only where somebody looks: a voxel is computed
-    /// when it is first asked for and kept until an input of its brick (8 x 8 x 8 voxels) changes. Used by one thread at a time; separate
-    /// fields share nothing that changes.
+    /// when it is first asked for and kept until an input of its brick (8 x 8 x 8 voxels) changes, or until what is kept reaches a limit: then all of it
+    /// is forgotten. Used by one thread at a time; separate fields share nothing that changes.
     /// </summary>
     public sealed class CarvedField
     {
+        /// <summary>The memory that a field may keep voxels in, unless told otherwise: 64 MiB, about 45,000 bricks or 23 million voxels.</summary>
+        public const long DefaultCacheLimitBytes = 64L << 20;
+
         readonly OpacityCache[] raw;
         readonly VoxelCache[] smoothed;
+        readonly DirtyBrickSet dirty;
         readonly MatterMap matter;
         readonly float[] around = new float[AntiAlias.Neighbourhood];
         CarvingInputs inputs;
         VoxelOpacity opacity;
 
         /// <summary>Prepares a field; <see cref="Update"/> says what it shows.</summary>
+        /// <param name="volume">The volume.</param>
+        /// <param name="cacheLimitBytes">The memory that voxels may be kept in, closely; 0 or more.</param>
         /// <exception cref="ArgumentNullException"><paramref name="volume"/> is null.</exception>
-        /// <exception cref="ArgumentOutOfRangeException">The volume is longer than 8,192 voxels.</exception>
-        public CarvedField(SegmentedVolume volume)
+        /// <exception cref="ArgumentOutOfRangeException">The volume is longer than 8,192 voxels, or the limit is negative.</exception>
+        public CarvedField(SegmentedVolume volume, long cacheLimitBytes = DefaultCacheLimitBytes)
         {
+            if (cacheLimitBytes < 0)
+                throw new ArgumentOutOfRangeException(nameof(cacheLimitBytes), cacheLimitBytes, "The limit is 0 bytes or more.");
             Volume = volume ?? throw new ArgumentNullException(nameof(volume));
             Grid = new CentredGrid(volume.Geometry);
             Bricks = new BrickGrid(volume.Geometry);
             raw = new OpacityCache[Bricks.Count];
             smoothed = new VoxelCache[Bricks.Count];
+            dirty = new DirtyBrickSet(Bricks, Grid);
             matter = new MatterMap(Bricks);
+            CacheLimitBytes = cacheLimitBytes;
         }
 
         /// <summary>The volume.</summary>
@@ -39,6 +49,12 @@ namespace AnatomyCarve.Carving
 
         /// <summary>The volume's bricks.</summary>
         public BrickGrid Bricks { get; }
+
+        /// <summary>The memory that voxels may be kept in.</summary>
+        public long CacheLimitBytes { get; }
+
+        /// <summary>The memory that voxels are kept in now. It may pass the limit by one brick's.</summary>
+        public long CachedBytes { get; private set; }
 
         /// <summary>How many voxels' opacities were computed so far, for those who count work.</summary>
         public long OpacityVoxelsComputed { get; private set; }
@@ -65,9 +81,16 @@ namespace AnatomyCarve.Carving
             CarvingInputs wanted = CarvingInputs.Take(Volume, spheres, transferFunction, segments, cut, antiAlias);
             bool sharesOpacities = inputs != null && inputs.SharesOpacitiesWith(wanted);
             bool sharesAntiAlias = sharesOpacities && inputs.AntiAlias.Equals(wanted.AntiAlias);
-            Forget(raw, sharesOpacities ? DirtyBetween(inputs, wanted, cut, 0) : DirtyBricks.All(Bricks));
-            Forget(smoothed, sharesAntiAlias ? DirtyBetween(inputs, wanted, cut, CarvingReach.AntiAliasVoxels) : DirtyBricks.All(Bricks));
-            OpacityLookup lookup = sharesOpacities ? opacity.Lookup : new OpacityLookup(transferFunction, Volume.Intensity);
+            if (sharesOpacities)
+                ForgetBetween(inputs, wanted, cut, 0, raw);
+            else
+                ForgetAll(raw);
+            if (sharesAntiAlias)
+                ForgetBetween(inputs, wanted, cut, CarvingReach.AntiAliasVoxels, smoothed);
+            else
+                ForgetAll(smoothed);
+            bool sharesLookup = inputs != null && inputs.SharesTransferFunctionWith(wanted);
+            OpacityLookup lookup = sharesLookup ? opacity.Lookup : new OpacityLookup(transferFunction, Volume.Intensity);
             inputs = wanted;
             opacity = new VoxelOpacity(Volume, Grid, Bricks, wanted.Spheres, lookup, wanted.SegmentOpacities, cut);
             if (!sharesOpacities)
@@ -163,18 +186,20 @@ namespace AnatomyCarve.Carving
 
         byte RawCode(int i, int j, int k)
         {
-            OpacityCache cache = raw[Bricks.IndexOfVoxel(i, j, k)] ??= new OpacityCache();
+            OpacityCache cache = CacheOf(raw, Bricks.IndexOfVoxel(i, j, k));
             int voxel = InBrick(i, j, k);
             if (cache.TryGet(voxel, out byte code))
                 return code;
             OpacityVoxelsComputed++;
+            long bytesBefore = cache.Bytes;
             List<CentredSphere> reaching = cache.Reaching(opacity, i / BrickGrid.BrickSize, j / BrickGrid.BrickSize, k / BrickGrid.BrickSize);
+            CachedBytes += cache.Bytes - bytesBefore;
             return cache.Keep(voxel, opacity.Code(i, j, k, reaching));
         }
 
         byte SmoothedCode(int i, int j, int k)
         {
-            VoxelCache cache = smoothed[Bricks.IndexOfVoxel(i, j, k)] ??= new VoxelCache();
+            VoxelCache cache = CacheOf(smoothed, Bricks.IndexOfVoxel(i, j, k));
             int voxel = InBrick(i, j, k);
             if (cache.TryGet(voxel, out byte code))
                 return code;
@@ -192,8 +217,33 @@ namespace AnatomyCarve.Carving
             return (byte)Math.Round(AntiAlias.Filter(around, inputs.AntiAlias) * 255f, MidpointRounding.ToEven);
         }
 
-        DirtyBricks DirtyBetween(CarvingInputs before, CarvingInputs after, CutMode cut, int haloVoxels) =>
-            DirtyBricks.Between(before.Spheres, after.Spheres, Bricks, Grid, cut, haloVoxels);
+        /// <summary>
+        /// A brick's cache, made when first asked for. Where the limit is reached all others go first; whoever still holds one of those may go on
+        /// using it.
+        /// </summary>
+        T CacheOf<T>(T[] caches, int brick)
+            where T : VoxelCache, new()
+        {
+            T cache = caches[brick];
+            if (cache != null)
+                return cache;
+            if (CachedBytes >= CacheLimitBytes)
+            {
+                Array.Clear(raw, 0, raw.Length);
+                Array.Clear(smoothed, 0, smoothed.Length);
+                CachedBytes = 0;
+            }
+            cache = new T();
+            CachedBytes += cache.Bytes;
+            return caches[brick] = cache;
+        }
+
+        void ForgetBetween(CarvingInputs before, CarvingInputs after, CutMode cut, int haloVoxels, VoxelCache[] caches)
+        {
+            dirty.Compute(before.Spheres, after.Spheres, cut, haloVoxels);
+            for (int n = 0; n < dirty.Count; n++)
+                caches[dirty.Indices[n]]?.Forget();
+        }
 
         void Check(int i, int j, int k)
         {
@@ -209,13 +259,10 @@ namespace AnatomyCarve.Carving
                 throw new InvalidOperationException("Update says what the field shows; it was not called yet.");
         }
 
-        static void Forget(VoxelCache[] caches, DirtyBricks dirty)
+        static void ForgetAll(VoxelCache[] caches)
         {
-            for (int b = 0; b < caches.Length && !dirty.IsNone; b++)
-            {
-                if (dirty[b])
-                    caches[b]?.Forget();
-            }
+            foreach (VoxelCache cache in caches)
+                cache?.Forget();
         }
 
         static int InBrick(int i, int j, int k) =>

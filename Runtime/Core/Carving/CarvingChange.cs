@@ -40,7 +40,7 @@ namespace AnatomyCarve.Carving
 
     /// <summary>
     /// One change of a carving as a value: what happened, and the carving before and after it. What follows from a change (which bricks
-    /// can look different) is computed from <see cref="BeforeState"/> and <see cref="AfterState"/> alone: see <see cref="DirtyBricks"/>.
+    /// can look different) is computed from <see cref="BeforeState"/> and <see cref="AfterState"/> alone: see <see cref="DirtyBrickSet"/>.
     /// </summary>
     public readonly struct CarvingChange
     {

@@ -44,16 +44,14 @@ namespace AnatomyCarve.Carving
     public sealed class CarvingDocumentSphere
     {
         /// <summary>Makes a sphere.</summary>
-        /// <param name="centerLps">LPS millimetres, finite.</param>
-        /// <param name="radiusMm">Millimetres, finite, 0 or more.</param>
+        /// <param name="centerLps">LPS millimetres, each coordinate within +-<see cref="ClipSphere.LargestMm"/>.</param>
+        /// <param name="radiusMm">Millimetres, 0 to <see cref="ClipSphere.LargestMm"/>.</param>
         /// <param name="clipped">The segments that it clips.</param>
-        /// <exception cref="ArgumentException">A number lies outside its range.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">A number lies outside its range.</exception>
         /// <exception cref="ArgumentNullException"><paramref name="clipped"/> is null.</exception>
         public CarvingDocumentSphere(PointMm centerLps, double radiusMm, IEnumerable<SegmentReference> clipped)
         {
-            if (!centerLps.IsFinite || !(radiusMm >= 0) || double.IsInfinity(radiusMm))
-                throw new ArgumentException(FormattableString.Invariant(
-                    $"A sphere's centre is finite and its radius finite and not negative; they are {centerLps} and {radiusMm} mm."), nameof(centerLps));
+            ClipSphere.CheckPlace(centerLps, nameof(centerLps), radiusMm, nameof(radiusMm));
             CentreLps = centerLps;
             RadiusMm = radiusMm;
             Clipped = Array.AsReadOnly((clipped ?? throw new ArgumentNullException(nameof(clipped))).ToArray());

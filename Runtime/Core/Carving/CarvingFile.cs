@@ -6,8 +6,8 @@ namespace AnatomyCarve.Carving
 {
     /// <summary>
     /// Carving files: JSON, UTF-8, <c>{"version": 1, "space": "LPS", "spheres": [{"centerMm": [x, y, z], "radiusMm": r, "clipped": [{"label": 5, "name":
-    /// "liver"}]}], "active": {...}}</c>. The spheres are the fixed ones, oldest first; "active", which may be absent, is the one in the hand.
-    /// "RAS" is understood on reading. Numbers keep every bit.
+    /// "liver"}]}]}</c>. The fixed spheres come first, oldest first; the one in the hand, if there is one, comes last and says <c>"active": true</c>.
+    /// "RAS" is understood on reading. Numbers keep every bit but the sign of zero.
     /// </summary>
     public static class CarvingFile
     {

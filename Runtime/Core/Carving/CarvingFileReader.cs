@@ -14,6 +14,9 @@ namespace AnatomyCarve.Carving
     {
         static readonly JsonLoadSettings LoadSettings = new JsonLoadSettings { DuplicatePropertyNameHandling = DuplicatePropertyNameHandling.Error };
 
+        static readonly string Coordinate = FormattableString.Invariant($"a number from {-ClipSphere.LargestMm} to {ClipSphere.LargestMm}");
+        static readonly string Radius = FormattableString.Invariant($"a number from 0 to {ClipSphere.LargestMm}");
+
         readonly string file;
         readonly List<string> warnings = new List<string>();
         bool isRas;
@@ -42,13 +45,29 @@ namespace AnatomyCarve.Carving
 
         CarvingDocument Document(JToken root)
         {
-            JObject carving = Object(root, "the whole", "version", "space", "spheres", "active");
+            JObject carving = Object(root, "the whole", "version", "space", "spheres");
             CheckVersion(carving["version"]);
             isRas = IsRas(carving["space"]);
-            CarvingDocumentSphere[] spheres = Array(carving["spheres"], "spheres").Select((sphere, index) => Sphere(sphere, Element("spheres", index))).ToArray();
-            JToken active = carving["active"];
-            bool hasActive = active != null && active.Type != JTokenType.Null;
-            return new CarvingDocument(spheres, hasActive ? Sphere(active, "active") : null, warnings);
+            JArray list = Array(carving["spheres"], "spheres");
+            CarvingDocumentSphere[] spheres = list.Select((sphere, index) => Sphere(sphere, Element("spheres", index))).ToArray();
+            int active = ActiveIndex(list);
+            return new CarvingDocument(active < 0 ? spheres : spheres.Take(active), active < 0 ? null : spheres[active], warnings);
+        }
+
+        /// <summary>The active sphere's place in the list, which is the last; -1 = none is active.</summary>
+        int ActiveIndex(JArray list)
+        {
+            for (int index = 0; index < list.Count; index++)
+            {
+                JToken active = list[index]["active"];
+                string field = Element("spheres", index) + ".active";
+                if (active != null && active.Type != JTokenType.Boolean)
+                    throw Problem(field, active, "true or false");
+                if (active == null || !(bool)active)
+                    continue;
+                return index == list.Count - 1 ? index : throw Problem(field, active, "true for the last sphere only");
+            }
+            return -1;
         }
 
         void CheckVersion(JToken version)
@@ -70,11 +89,11 @@ namespace AnatomyCarve.Carving
 
         CarvingDocumentSphere Sphere(JToken token, string field)
         {
-            JObject sphere = Object(token, field, "centerMm", "radiusMm", "clipped");
+            JObject sphere = Object(token, field, "centerMm", "radiusMm", "clipped", "active");
             PointMm center = Center(sphere["centerMm"], field + ".centerMm");
-            double radius = Number(sphere["radiusMm"], field + ".radiusMm", "a finite number, 0 or more");
+            double radius = Number(sphere["radiusMm"], field + ".radiusMm", Radius);
             if (radius < 0)
-                throw Problem(field + ".radiusMm", sphere["radiusMm"], "a finite number, 0 or more");
+                throw Problem(field + ".radiusMm", sphere["radiusMm"], Radius);
             string clipped = field + ".clipped";
             return new CarvingDocumentSphere(
                 center, radius, Array(sphere["clipped"], clipped).Select((segment, index) => Reference(segment, Element(clipped, index))).ToArray());
@@ -85,9 +104,9 @@ namespace AnatomyCarve.Carving
             JArray center = Array(token, field);
             if (center.Count != 3)
                 throw Problem(field, token, "three numbers");
-            double x = Number(center[0], field + "[0]", "a finite number");
-            double y = Number(center[1], field + "[1]", "a finite number");
-            double z = Number(center[2], field + "[2]", "a finite number");
+            double x = Number(center[0], field + "[0]", Coordinate);
+            double y = Number(center[1], field + "[1]", Coordinate);
+            double z = Number(center[2], field + "[2]", Coordinate);
             return isRas ? new PointMm(-x, -y, z) : new PointMm(x, y, z);
         }
 
@@ -110,7 +129,7 @@ namespace AnatomyCarve.Carving
             if (token == null || (token.Type != JTokenType.Integer && token.Type != JTokenType.Float))
                 throw Problem(field, token, expectation);
             double value = (double)token;
-            if (double.IsNaN(value) || double.IsInfinity(value))
+            if (!ClipSphere.IsWithin(value))
                 throw Problem(field, token, expectation);
             return value;
         }

@@ -19,19 +19,16 @@ namespace AnatomyCarve.Carving
             json.WritePropertyName("spheres");
             json.WriteStartArray();
             foreach (CarvingDocumentSphere sphere in document.Fixed)
-                WriteSphere(json, sphere);
-            json.WriteEndArray();
+                WriteSphere(json, sphere, false);
             if (document.Active is object)
-            {
-                json.WritePropertyName("active");
-                WriteSphere(json, document.Active);
-            }
+                WriteSphere(json, document.Active, true);
+            json.WriteEndArray();
             json.WriteEndObject();
             json.Flush();
             text.WriteLine();
         }
 
-        static void WriteSphere(JsonTextWriter json, CarvingDocumentSphere sphere)
+        static void WriteSphere(JsonTextWriter json, CarvingDocumentSphere sphere, bool isActive)
         {
             PointMm center = sphere.CentreLps;
             json.WriteStartObject();
@@ -44,6 +41,11 @@ namespace AnatomyCarve.Carving
             foreach (SegmentReference reference in sphere.Clipped)
                 WriteReference(json, reference);
             json.WriteEndArray();
+            if (isActive)
+            {
+                json.WritePropertyName("active");
+                json.WriteValue(true);
+            }
             json.WriteEndObject();
         }
 
@@ -63,13 +65,16 @@ namespace AnatomyCarve.Carving
             json.WriteEndObject();
         }
 
-        /// <summary>The shortest text that reads back as the same number. "R" alone does not on every runtime that Unity has used.</summary>
+        /// <summary>
+        /// The shortest text that reads back as the same number. "R" alone does not on every runtime that Unity has used. Zero has no sign: Newtonsoft.Json
+        /// 13.0.2, Unity's, loses it on reading.
+        /// </summary>
         static string Number(double value)
         {
             string text = value.ToString("R", CultureInfo.InvariantCulture);
             if (double.Parse(text, NumberStyles.Float, CultureInfo.InvariantCulture) != value)
                 text = value.ToString("G17", CultureInfo.InvariantCulture);
-            return text == "-0" ? "-0.0" : text;
+            return text == "-0" ? "0" : text;
         }
     }
 }

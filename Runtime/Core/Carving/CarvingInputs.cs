@@ -66,6 +66,10 @@ namespace AnatomyCarve.Carving
         public bool SharesOpacitiesWith(CarvingInputs other) =>
             cut == other.cut
             && SegmentOpacities.AsSpan().SequenceEqual(other.SegmentOpacities)
-            && (ReferenceEquals(TransferFunction, other.TransferFunction) || TransferFunction.Points.SequenceEqual(other.TransferFunction.Points));
+            && SharesTransferFunctionWith(other);
+
+        /// <summary>Whether both show the same intensities.</summary>
+        public bool SharesTransferFunctionWith(CarvingInputs other) =>
+            ReferenceEquals(TransferFunction, other.TransferFunction) || TransferFunction.Points.SequenceEqual(other.TransferFunction.Points);
     }
 }

@@ -94,7 +94,7 @@ namespace AnatomyCarve.Carving
             var longer = new ClipSphere[fixedSpheres.Length + 1];
             fixedSpheres.CopyTo(longer, 0);
             longer[fixedSpheres.Length] = Active;
-            return new CarvingSnapshot(longer, Active.WithRadius(Active.RadiusMm * radiusFactor), ActiveMask);
+            return new CarvingSnapshot(longer, Active.WithRadius(Math.Min(Active.RadiusMm * radiusFactor, ClipSphere.LargestMm)), ActiveMask);
         }
 
         internal CarvingSnapshot WithoutLastFixed() =>

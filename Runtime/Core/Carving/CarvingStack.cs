@@ -23,7 +23,7 @@ namespace AnatomyCarve.Carving
         int gesture;
 
         /// <summary>Makes an empty carving: no sphere; the first active sphere will clip every segment.</summary>
-        /// <param name="segmentCount">The number of segments, label 0 included: 1 to <see cref="SegmentMask.MaxSegments"/>.</param>
+        /// <param name="segmentCount">The number of segments, label 0 included: 1 to <see cref="SegmentTable.MaximumCount"/>.</param>
         /// <exception cref="ArgumentOutOfRangeException">The number lies outside its range.</exception>
         public CarvingStack(int segmentCount)
         {
@@ -88,9 +88,9 @@ namespace AnatomyCarve.Carving
         }
 
         /// <summary>Places, moves or resizes the active sphere. Its mask stays what it was; the very first one clips every segment.</summary>
-        /// <param name="centreLps">Centre in LPS millimetres, finite.</param>
-        /// <param name="radiusMm">Radius in millimetres, finite, 0 or more.</param>
-        /// <exception cref="ArgumentException">A number lies outside its range; the carving is unchanged.</exception>
+        /// <param name="centreLps">Centre in LPS millimetres, each coordinate within +-<see cref="ClipSphere.LargestMm"/>.</param>
+        /// <param name="radiusMm">Radius in millimetres, 0 to <see cref="ClipSphere.LargestMm"/>.</param>
+        /// <exception cref="ArgumentOutOfRangeException">A number lies outside its range; the carving is unchanged.</exception>
         public void SetActive(PointMm centreLps, double radiusMm) =>
             Do(CarvingChangeKind.ActiveSet, Fixed.Count, State.WithActive(new ClipSphere(centreLps, radiusMm, ActiveMask)));
 

@@ -6,20 +6,21 @@ namespace AnatomyCarve.Carving
     /// <summary>One clip sphere: where it is and which segments it clips. Immutable; equal when all three parts are equal.</summary>
     public sealed class ClipSphere : IEquatable<ClipSphere>
     {
+        /// <summary>
+        /// The largest radius, and the largest coordinate of a centre, in millimetres: 1e18. Eq. 1 is decided in float, which holds 3.4e38; the square of
+        /// the distance of two points within the limit stays below that.
+        /// </summary>
+        public const double LargestMm = 1e18;
+
         /// <summary>Makes a sphere.</summary>
-        /// <param name="centerLps">Centre in LPS millimetres, finite.</param>
-        /// <param name="radiusMm">Radius (never the diameter) in millimetres, finite and not negative; 0 hides nothing.</param>
+        /// <param name="centerLps">Centre in LPS millimetres, each coordinate within +-<see cref="LargestMm"/>.</param>
+        /// <param name="radiusMm">Radius (never the diameter) in millimetres, 0 to <see cref="LargestMm"/>; 0 hides nothing.</param>
         /// <param name="mask">The segments that the sphere clips.</param>
-        /// <exception cref="ArgumentException">A number is not finite, or the radius is negative.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">A number lies outside its range.</exception>
         /// <exception cref="ArgumentNullException"><paramref name="mask"/> is null.</exception>
         public ClipSphere(PointMm centerLps, double radiusMm, SegmentMask mask)
         {
-            if (!IsFinite(centerLps.X) || !IsFinite(centerLps.Y) || !IsFinite(centerLps.Z))
-                throw new ArgumentException(FormattableString.Invariant(
-                    $"A clip sphere's centre is finite; it is ({centerLps.X}, {centerLps.Y}, {centerLps.Z})."), nameof(centerLps));
-            if (!IsFinite(radiusMm) || radiusMm < 0)
-                throw new ArgumentException(FormattableString.Invariant(
-                    $"A clip sphere's radius is finite and not negative; it is {radiusMm} mm."), nameof(radiusMm));
+            CheckPlace(centerLps, nameof(centerLps), radiusMm, nameof(radiusMm));
             CentreLps = centerLps;
             RadiusMm = radiusMm;
             Mask = mask ?? throw new ArgumentNullException(nameof(mask));
@@ -38,11 +39,11 @@ namespace AnatomyCarve.Carving
         public bool CanClip => RadiusMm > 0 && !Mask.IsNone;
 
         /// <summary>The same sphere elsewhere.</summary>
-        /// <exception cref="ArgumentException">The centre is not finite.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">A coordinate lies outside its range.</exception>
         public ClipSphere WithCenter(PointMm centerLps) => new ClipSphere(centerLps, RadiusMm, Mask);
 
         /// <summary>The same sphere with another radius in millimetres.</summary>
-        /// <exception cref="ArgumentException">The radius is negative or not finite.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">The radius lies outside its range.</exception>
         public ClipSphere WithRadius(double radiusMm) => new ClipSphere(CentreLps, radiusMm, Mask);
 
         /// <summary>The same sphere with another mask.</summary>
@@ -64,6 +65,18 @@ namespace AnatomyCarve.Carving
         public override string ToString() => FormattableString.Invariant(
             $"({CentreLps.X}, {CentreLps.Y}, {CentreLps.Z}) LPS mm, radius {RadiusMm} mm, clips {Mask}");
 
-        static bool IsFinite(double value) => !double.IsNaN(value) && !double.IsInfinity(value);
+        /// <exception cref="ArgumentOutOfRangeException">A number is not one that a clip sphere can have.</exception>
+        internal static void CheckPlace(PointMm centerLps, string centerName, double radiusMm, string radiusName)
+        {
+            if (!IsWithin(centerLps.X) || !IsWithin(centerLps.Y) || !IsWithin(centerLps.Z))
+                throw new ArgumentOutOfRangeException(centerName, centerLps, FormattableString.Invariant(
+                    $"The coordinates of a clip sphere's centre are {-LargestMm} to {LargestMm} mm."));
+            if (!IsWithin(radiusMm) || radiusMm < 0)
+                throw new ArgumentOutOfRangeException(radiusName, radiusMm, FormattableString.Invariant(
+                    $"A clip sphere's radius is 0 to {LargestMm} mm."));
+        }
+
+        /// <summary>False for NaN too.</summary>
+        internal static bool IsWithin(double mm) => Math.Abs(mm) <= LargestMm;
     }
 }

@@ -1,15 +1,13 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using AnatomyCarve.Volumes;
 
 namespace AnatomyCarve.Carving
 {
     /// <summary>Which segments a clip sphere clips: one bit per segment, 1 = clipped. Immutable; equal when size and bits are equal.</summary>
     public sealed class SegmentMask : IEquatable<SegmentMask>
     {
-        /// <summary>The largest number of segments that a mask can hold: dense indices are 16 bit.</summary>
-        public const int MaxSegments = 65536;
-
         const int BitsPerWord = 32;
 
         readonly uint[] words;
@@ -21,7 +19,7 @@ namespace AnatomyCarve.Carving
             ClippedCount = CountBits(words);
         }
 
-        /// <summary>The number of segments, label 0 included: 1 to <see cref="MaxSegments"/>.</summary>
+        /// <summary>The number of segments, label 0 included: 1 to <see cref="SegmentTable.MaximumCount"/>.</summary>
         public int SegmentCount { get; }
 
         /// <summary>The number of segments that are clipped: 0 to <see cref="SegmentCount"/>.</summary>
@@ -49,7 +47,7 @@ namespace AnatomyCarve.Carving
         }
 
         /// <summary>A mask that clips every one of the segments.</summary>
-        /// <exception cref="ArgumentOutOfRangeException">The number is not 1 to <see cref="MaxSegments"/>.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">The number is not 1 to <see cref="SegmentTable.MaximumCount"/>.</exception>
         public static SegmentMask All(int segmentCount)
         {
             uint[] words = NewWords(segmentCount);
@@ -62,7 +60,7 @@ namespace AnatomyCarve.Carving
         }
 
         /// <summary>A mask that clips none of the segments.</summary>
-        /// <exception cref="ArgumentOutOfRangeException">The number is not 1 to <see cref="MaxSegments"/>.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">The number is not 1 to <see cref="SegmentTable.MaximumCount"/>.</exception>
         public static SegmentMask None(int segmentCount) => new SegmentMask(segmentCount, NewWords(segmentCount));
 
         /// <summary>A mask that clips the named segments and no other; naming one twice changes nothing.</summary>
@@ -152,9 +150,9 @@ namespace AnatomyCarve.Carving
 
         static uint[] NewWords(int segmentCount)
         {
-            if (segmentCount < 1 || segmentCount > MaxSegments)
+            if (segmentCount < 1 || segmentCount > SegmentTable.MaximumCount)
                 throw new ArgumentOutOfRangeException(nameof(segmentCount), segmentCount,
-                    FormattableString.Invariant($"A mask has 1 to {MaxSegments} segments."));
+                    FormattableString.Invariant($"A mask has 1 to {SegmentTable.MaximumCount} segments, label 0 included."));
             return new uint[(segmentCount + BitsPerWord - 1) / BitsPerWord];
         }
 

@@ -7,9 +7,13 @@ namespace AnatomyCarve.Carving
     class VoxelCache
     {
         const int BitsPerWord = 64;
+        const int ObjectsBytes = 128; // the runtime's own share: the headers of this, its arrays and its list
 
         readonly byte[] codes = new byte[BrickGrid.VoxelsPerBrick];
         readonly ulong[] known = new ulong[BrickGrid.VoxelsPerBrick / BitsPerWord];
+
+        /// <summary>What it holds in memory, closely.</summary>
+        public virtual long Bytes => BrickGrid.VoxelsPerBrick + BrickGrid.VoxelsPerBrick / 8 + ObjectsBytes;
 
         public bool TryGet(int voxel, out byte code)
         {
@@ -32,6 +36,8 @@ namespace AnatomyCarve.Carving
     {
         readonly List<CentredSphere> reaching = new List<CentredSphere>();
         bool isSifted;
+
+        public override long Bytes => base.Bytes + (long)reaching.Capacity * CentredSphere.Bytes;
 
         /// <summary>The spheres that can touch a voxel of the brick, sifted from all when first asked for.</summary>
         public List<CentredSphere> Reaching(VoxelOpacity opacity, int brickX, int brickY, int brickZ)

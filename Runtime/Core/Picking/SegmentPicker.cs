@@ -65,7 +65,8 @@ namespace AnatomyCarve.Picking
                     double lengths = (end - n) * settings.StepReference;
                     double logPassing = lengths * Math.Log(1 - opacity);
                     double before = alpha;
-                    alpha = before + (1 - before) * (1 - Math.Exp(logPassing));
+                    double passing = opacity < 1 ? Math.Exp(logPassing) : 0; // matter of opacity 1 stops all light, however short the step
+                    alpha = before + (1 - before) * (1 - passing);
                     if (alpha >= settings.FirstVisibleAlpha)
                     {
                         double part = opacity < 1 ? Math.Log((1 - settings.FirstVisibleAlpha) / (1 - before)) / logPassing : 0;

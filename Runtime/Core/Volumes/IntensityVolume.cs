@@ -1,4 +1,6 @@
 using System;
+using System.Collections.Generic;
+using System.Linq;
 using System.Threading;
 
 namespace AnatomyCarve.Volumes
@@ -7,16 +9,25 @@ namespace AnatomyCarve.Volumes
     /// A scan's intensities as 16-bit codes, ready for the GPU: value = CodeOffset + CodeScale * code. Whole numbers that span no more
     /// than 65,535 are kept exactly; others are rounded to the nearest of 65,536 steps. Immutable.
     /// </summary>
+    /// <remarks>
+    /// A few values far from all others would leave no steps for the rest: where the 65,536 steps over all values are coarser than a thousandth of
+    /// the typical range (5th to 95th percentile), they cover that range and 32 times it on either side instead; what lies beyond counts as the ends,
+    /// and a warning says how many voxels that are.
+    /// </remarks>
     public sealed class IntensityVolume
     {
+        const double CoarsestStep = 1e-3;
+        const double MarginInTypicalRanges = 32;
+
         /// <summary>Makes a volume from its codes. The array is kept, not copied.</summary>
         /// <param name="geometry">Where the voxels lie.</param>
         /// <param name="codes">One code per voxel, i fastest.</param>
         /// <param name="codeOffset">The value of code 0; finite.</param>
         /// <param name="codeScale">The step from one code to the next; finite, greater than 0.</param>
         /// <param name="valueMax">The largest value, that of the largest code.</param>
+        /// <param name="warnings">What was odd, a sentence each; may be null.</param>
         /// <exception cref="ArgumentException">An array of another length, or numbers outside their ranges.</exception>
-        public IntensityVolume(VolumeGeometry geometry, ushort[] codes, double codeOffset, double codeScale, double valueMax)
+        public IntensityVolume(VolumeGeometry geometry, ushort[] codes, double codeOffset, double codeScale, double valueMax, IEnumerable<string> warnings = null)
         {
             Geometry = geometry ?? throw new ArgumentNullException(nameof(geometry));
             Codes = codes ?? throw new ArgumentNullException(nameof(codes));
@@ -27,7 +38,11 @@ namespace AnatomyCarve.Volumes
             CodeOffset = codeOffset;
             CodeScale = codeScale;
             ValueMax = valueMax;
+            Warnings = warnings == null ? Array.Empty<string>() : warnings.ToArray();
         }
+
+        /// <summary>What was odd while the volume was made, a sentence each.</summary>
+        public IReadOnlyList<string> Warnings { get; }
 
         /// <summary>Where the voxels lie.</summary>
         public VolumeGeometry Geometry { get; }
@@ -66,35 +81,65 @@ namespace AnatomyCarve.Volumes
         {
             (data ?? throw new ArgumentNullException(nameof(data))).CheckComponent(component);
             var range = new ValueRange();
+            var typical = new TypicalRange(data.Geometry.VoxelCount);
             ComponentBlocks.ForEach(data, component, cancellation, (values, start, count) =>
             {
                 range.Include(values, count);
+                typical.Include(values, start, count);
                 progress?.Report(0.4f * (start + count) / data.Geometry.VoxelCount);
             });
 
             if (double.IsInfinity(range.Maximum - range.Minimum))
                 throw new AnatomyCarveException(
                     FormattableString.Invariant($"{data.Source}: the values span {range.Minimum} to {range.Maximum}, more than can be shown."));
-            double span = range.Maximum - range.Minimum;
-            double scale = range.CodeStep(data.VoxelType.IsFloat() ? 0 : Math.Abs(data.Slope));
+            double minimum = range.Minimum, maximum = range.Maximum;
+            double storedStep = data.VoxelType.IsFloat() ? 0 : Math.Abs(data.Slope);
+            double scale = range.CodeStep(storedStep);
+            bool isExact = scale == 1 || scale == storedStep;
+            bool isNarrowed = !isExact && typical.TryFind(out double low, out double high) && scale > CoarsestStep * (high - low)
+                && Narrow(ref minimum, ref maximum, low, high);
+            if (isNarrowed)
+                scale = (maximum - minimum) / ushort.MaxValue;
+            long beyond = 0;
             var codes = new ushort[data.Geometry.VoxelCount];
             ComponentBlocks.ForEach(data, component, cancellation, (values, start, count) =>
             {
-                Encode(values, codes, start, count, range.Minimum, span, scale);
+                beyond += Encode(values, codes, start, count, minimum, maximum, scale);
                 progress?.Report(0.4f + (0.6f * (start + count) / data.Geometry.VoxelCount));
             });
-            return new IntensityVolume(data.Geometry, codes, range.Minimum, scale, range.Maximum);
+            string[] warnings = isNarrowed
+                ? new[]
+                {
+                    FormattableString.Invariant(
+                        $"{beyond} voxels lie far from all others ({range.Minimum} to {range.Maximum}); they count as {minimum:G6} or {maximum:G6}.")
+                }
+                : null;
+            return new IntensityVolume(data.Geometry, codes, minimum, scale, maximum, warnings);
         }
 
-        static void Encode(double[] values, ushort[] codes, int start, int count, double minimum, double span, double scale)
+        static bool Narrow(ref double minimum, ref double maximum, double low, double high)
         {
+            double margin = MarginInTypicalRanges * (high - low);
+            minimum = Math.Max(minimum, low - margin);
+            maximum = Math.Min(maximum, high + margin);
+            return true;
+        }
+
+        /// <returns>How many finite values lie outside of minimum to maximum.</returns>
+        static long Encode(double[] values, ushort[] codes, int start, int count, double minimum, double maximum, double scale)
+        {
+            double span = maximum - minimum;
+            long beyond = 0;
             for (int n = 0; n < count; n++)
             {
                 double above = values[n] - minimum;
+                if ((above < 0 || above > span) && double.IsFinite(values[n]))
+                    beyond++;
 
                 // NaN fails the first comparison and takes code 0, as minus infinity does.
                 codes[start + n] = above > 0 ? (ushort)Math.Min(ushort.MaxValue, Math.Round(Math.Min(above, span) / scale)) : (ushort)0;
             }
+            return beyond;
         }
     }
 }

@@ -50,10 +50,31 @@ namespace AnatomyCarve.Volumes
         /// <param name="cancellation">Cancels the work.</param>
         /// <param name="progress">Told the share done, 0 to 1; may be null.</param>
         /// <exception cref="VolumeFormatException">A value that is no whole number, several values per voxel without segments that
-        /// name them, or more than 65,534 different labels.</exception>
+        /// name them, or more labels than <see cref="SegmentTable.MaximumCount"/>.</exception>
         /// <exception cref="OperationCanceledException">The token was cancelled.</exception>
         public static LabelMap FromVolumeData(VolumeData data, CancellationToken cancellation = default, IProgress<float> progress = null) =>
             new LabelMapBuilder(data ?? throw new ArgumentNullException(nameof(data)), cancellation, progress).Build();
+
+        /// <summary>
+        /// The same labels on a scan's grid, where both grids share a lattice: segmentations saved cropped to their segments, or in another
+        /// orientation. Voxels of the grid that the map does not reach get label 0.
+        /// </summary>
+        /// <param name="grid">The scan's grid.</param>
+        /// <returns>This map where the grids agree, or where they share no lattice (nothing is resampled); a new one otherwise, with a warning if
+        /// labelled voxels lie outside the grid.</returns>
+        /// <exception cref="ArgumentNullException"><paramref name="grid"/> is null.</exception>
+        public LabelMap OnGridOf(VolumeGeometry grid)
+        {
+            if (grid == null)
+                throw new ArgumentNullException(nameof(grid));
+            if (Geometry.Matches(grid, out _) || !(LatticeMap.Find(grid, Geometry, SegmentedVolume.GeometryToleranceMm) is LatticeMap lattice))
+                return this;
+            var moved = new LabelMap(grid, lattice.Gather(Indices, Geometry, grid), Segments, Warnings);
+            long lost = Indices.LongCount(index => index != 0) - moved.Indices.LongCount(index => index != 0);
+            return lost == 0
+                ? moved
+                : new LabelMap(grid, moved.Indices, Segments, Warnings.Append(FormattableString.Invariant($"{lost} labelled voxels lie outside the scan.")));
+        }
 
         /// <summary>How many voxels each segment has.</summary>
         /// <returns>A new array, one number per row of <see cref="Segments"/>.</returns>

@@ -1,7 +1,6 @@
 using System;
 using System.Collections;
 using System.Collections.Generic;
-using System.Linq;
 using System.Threading;
 
 namespace AnatomyCarve.Volumes
@@ -16,6 +15,8 @@ namespace AnatomyCarve.Volumes
         readonly CancellationToken cancellation;
         readonly IProgress<float> progress;
         readonly List<string> warnings = new List<string>();
+        BitArray overlaps;
+        int overlapping;
         float passes;
 
         internal LabelMapBuilder(VolumeData data, CancellationToken cancellation, IProgress<float> progress)
@@ -35,10 +36,8 @@ namespace AnatomyCarve.Volumes
                 labels.AddValues(layer, DistinctValues(layer));
             SegmentTable table = labels.MakeTable();
             var indices = new ushort[data.Geometry.VoxelCount];
-            BitArray overlaps = null;
             for (int layer = 0; layer < data.Components; layer++)
-                Merge(layer, labels, indices, ref overlaps);
-            int overlapping = overlaps == null ? 0 : overlaps.Cast<bool>().Count(overlap => overlap);
+                Merge(layer, labels, indices);
             if (overlapping > 0)
                 warnings.Add(FormattableString.Invariant($"Several segments claim {overlapping} of the voxels; there the segment is shown that the file lists last."));
             return new LabelMap(data.Geometry, indices, table, warnings);
@@ -64,8 +63,7 @@ namespace AnatomyCarve.Volumes
                             data.Source, "a voxel", FormattableString.Invariant($"{value} (voxel number {start + n})"), "a whole number, as label maps have");
                     last = value;
                     if (found.Add((long)value) && found.Count > SegmentTable.MaximumCount)
-                        throw new VolumeFormatException(
-                            data.Source, "the number of labels", FormattableString.Invariant($"more than {SegmentTable.MaximumCount}"), "a label map (is this an intensity volume?)");
+                        throw LayeredLabels.TooMany(data, FormattableString.Invariant($"more than {SegmentTable.MaximumCount}"));
                 }
 
                 Report(start + count);
@@ -74,12 +72,11 @@ namespace AnatomyCarve.Volumes
             return found;
         }
 
-        void Merge(int layer, LayeredLabels labels, ushort[] indices, ref BitArray overlaps)
+        void Merge(int layer, LayeredLabels labels, ushort[] indices)
         {
             Dictionary<long, ushort> indexOfValue = labels.IndexOfValue(layer);
             double last = 0;
             ushort lastIndex = 0;
-            BitArray several = overlaps;
             ComponentBlocks.ForEach(data, layer, cancellation, (values, start, count) =>
             {
                 for (int n = 0; n < count; n++)
@@ -94,10 +91,7 @@ namespace AnatomyCarve.Volumes
                         continue;
                     ushort present = indices[start + n];
                     if (present != 0)
-                    {
-                        several ??= new BitArray(indices.Length);
-                        several[start + n] = true;
-                    }
+                        CountOverlap(start + n, indices.Length);
 
                     if (present == 0 || labels.PlaceInFile(lastIndex) > labels.PlaceInFile(present))
                         indices[start + n] = lastIndex;
@@ -105,8 +99,17 @@ namespace AnatomyCarve.Volumes
 
                 Report(start + count);
             });
-            overlaps = several;
             passes++;
+        }
+
+        /// <summary>Several layers may claim a voxel; it counts once.</summary>
+        void CountOverlap(int voxel, int voxels)
+        {
+            overlaps ??= new BitArray(voxels);
+            if (overlaps[voxel])
+                return;
+            overlaps[voxel] = true;
+            overlapping++;
         }
 
         void Report(int voxelsDone) =>

@@ -32,6 +32,11 @@ namespace AnatomyCarve.Volumes
             }
         }
 
+        /// <summary>The error of a file with more labels than there can be.</summary>
+        internal static VolumeFormatException TooMany(VolumeData data, string found) => new VolumeFormatException(
+            data.Source, "the number of labels", found,
+            FormattableString.Invariant($"at most {SegmentTable.MaximumCount}, label 0 included (is this an intensity volume?)"));
+
         /// <summary>Takes note of the values that a layer's voxels have.</summary>
         internal void AddValues(int layer, IEnumerable<long> values)
         {
@@ -49,9 +54,8 @@ namespace AnatomyCarve.Volumes
 
             // Values without a segment come first, so that named segments win where layers overlap.
             entries.InsertRange(0, unnamed.Select(pair => new Entry(pair.Layer, pair.Value, null)));
-            if (entries.Count >= SegmentTable.MaximumCount)
-                throw new VolumeFormatException(
-                    data.Source, "the number of labels", FormattableString.Invariant($"{entries.Count}"), FormattableString.Invariant($"at most {SegmentTable.MaximumCount - 1} (is this an intensity volume?)"));
+            if (entries.Count + 1 > SegmentTable.MaximumCount)
+                throw TooMany(data, FormattableString.Invariant($"{entries.Count + 1}"));
             GiveLabels();
             var rows = new List<Segment> { new Segment(0, 0, SegmentTable.UnlabelledName, PredefinedSegmentColors.Unlabelled) };
             placeOfIndex = new int[entries.Count + 1];

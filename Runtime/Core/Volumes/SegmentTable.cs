@@ -11,7 +11,10 @@ namespace AnatomyCarve.Volumes
     /// </summary>
     public sealed class SegmentTable : IReadOnlyList<Segment>
     {
-        /// <summary>The most rows a table can have: index 65535 means "no segment" in pictures.</summary>
+        /// <summary>
+        /// The largest number of segments, label 0 included, of tables, label maps and masks: dense indices are 16 bit, and index 65,535 means "no segment" in
+        /// pictures.
+        /// </summary>
         public const int MaximumCount = 65535;
 
         /// <summary>The name of row 0 where a file gives none.</summary>
@@ -27,7 +30,7 @@ namespace AnatomyCarve.Volumes
         {
             this.segments = (segments ?? throw new ArgumentNullException(nameof(segments))).ToArray();
             if (this.segments.Length == 0 || this.segments.Length > MaximumCount)
-                throw new ArgumentException(FormattableString.Invariant($"A segment table has 1 to {MaximumCount} rows, not {this.segments.Length}."), nameof(segments));
+                throw new ArgumentException(FormattableString.Invariant($"A segment table has 1 to {MaximumCount} rows, label 0 included, not {this.segments.Length}."), nameof(segments));
             indexOfLabel = new Dictionary<long, int>(this.segments.Length);
             for (int index = 0; index < this.segments.Length; index++)
             {

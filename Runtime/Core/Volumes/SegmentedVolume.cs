@@ -1,4 +1,6 @@
 using System;
+using System.Collections.Generic;
+using System.Linq;
 
 namespace AnatomyCarve.Volumes
 {
@@ -8,17 +10,22 @@ namespace AnatomyCarve.Volumes
         /// <summary>How far the corners of both grids may lie apart, mm.</summary>
         public const double GeometryToleranceMm = 0.01;
 
+        readonly Lazy<OpacityTransferFunction> automatic;
+
         /// <summary>Puts intensities and labels together.</summary>
         /// <param name="intensity">The scan.</param>
         /// <param name="labels">Its segments, on the same grid.</param>
+        /// <param name="warnings">What was odd in both, a sentence each; null = what each of them says.</param>
         /// <exception cref="ArgumentNullException">One of them is null.</exception>
         /// <exception cref="VolumeMismatchException">The grids differ in size, or by more than 0.01 mm in place.</exception>
-        public SegmentedVolume(IntensityVolume intensity, LabelMap labels)
+        public SegmentedVolume(IntensityVolume intensity, LabelMap labels, IEnumerable<string> warnings = null)
         {
             Intensity = intensity ?? throw new ArgumentNullException(nameof(intensity));
             Labels = labels ?? throw new ArgumentNullException(nameof(labels));
             if (!intensity.Geometry.Matches(labels.Geometry, GeometryToleranceMm, out string difference))
                 throw new VolumeMismatchException("The scan and its segmentation lie on different grids. " + difference);
+            Warnings = (warnings ?? intensity.Warnings.Concat(labels.Warnings)).ToArray();
+            automatic = new Lazy<OpacityTransferFunction>(() => OpacityTransferFunction.Automatic(intensity));
         }
 
         /// <summary>The scan.</summary>
@@ -33,13 +40,24 @@ namespace AnatomyCarve.Volumes
         /// <summary>Where the voxels lie: the scan's grid.</summary>
         public VolumeGeometry Geometry => Intensity.Geometry;
 
+        /// <summary>What was odd while the volume was made, a sentence each; where it comes from files, each starts with the file's name.</summary>
+        public IReadOnlyList<string> Warnings { get; }
+
+        /// <summary>
+        /// The transfer function that suits the scan, <see cref="OpacityTransferFunction.Automatic"/>. Computed once, when it is first asked for, on whichever
+        /// thread that is; a loader asks for it before it publishes a volume.
+        /// </summary>
+        public OpacityTransferFunction AutomaticTransferFunction => automatic.Value;
+
         /// <summary>A scan without a segmentation: every voxel has label 0.</summary>
+        /// <param name="intensity">The scan.</param>
+        /// <param name="warnings">What was odd in it, a sentence each; may be null.</param>
         /// <exception cref="ArgumentNullException"><paramref name="intensity"/> is null.</exception>
-        public static SegmentedVolume Unsegmented(IntensityVolume intensity)
+        public static SegmentedVolume Unsegmented(IntensityVolume intensity, IEnumerable<string> warnings = null)
         {
             VolumeGeometry geometry = (intensity ?? throw new ArgumentNullException(nameof(intensity))).Geometry;
             return new SegmentedVolume(
-                intensity, new LabelMap(geometry, new ushort[geometry.VoxelCount], SegmentTable.UnlabelledOnly()));
+                intensity, new LabelMap(geometry, new ushort[geometry.VoxelCount], SegmentTable.UnlabelledOnly()), warnings);
         }
     }
 }

@@ -2,34 +2,13 @@ using System;
 
 namespace AnatomyCarve.Volumes
 {
-    /// <summary>A file that can't be read: names the file, the field, what stands there, and what was expected.</summary>
-    public class VolumeFormatException : AnatomyCarveException
+    /// <summary>A volume's file that can't be read.</summary>
+    public class VolumeFormatException : FileFormatException
     {
-        /// <summary>Makes an exception; its message is put together from the four parts.</summary>
-        /// <param name="file">The file (or what the caller names the stream).</param>
-        /// <param name="field">The header's field, or the part of the file.</param>
-        /// <param name="foundValue">What was found there.</param>
-        /// <param name="expectation">What was expected instead.</param>
-        /// <param name="innerException">The cause, or null.</param>
+        /// <inheritdoc/>
         public VolumeFormatException(string file, string field, string foundValue, string expectation, Exception innerException = null)
-            : base($"{file}: {field} is {foundValue}; expected {expectation}.", innerException)
+            : base(file, field, foundValue, expectation, innerException)
         {
-            File = file;
-            Field = field;
-            FoundValue = foundValue;
-            Expectation = expectation;
         }
-
-        /// <summary>The file (or what the caller names the stream).</summary>
-        public string File { get; }
-
-        /// <summary>The header's field, or the part of the file.</summary>
-        public string Field { get; }
-
-        /// <summary>What was found there.</summary>
-        public string FoundValue { get; }
-
-        /// <summary>What was expected instead.</summary>
-        public string Expectation { get; }
     }
 }

@@ -134,10 +134,10 @@ namespace AnatomyCarve.Volumes
             return difference == null;
         }
 
-        /// <summary>As the other overload, with a tolerance of 0.01 mm.</summary>
+        /// <summary>As the other overload, with the tolerance <see cref="SegmentedVolume.GeometryToleranceMm"/>.</summary>
         /// <param name="other">The other geometry.</param>
         /// <param name="difference">What differs, in a sentence; null when nothing does.</param>
-        public bool Matches(VolumeGeometry other, out string difference) => Matches(other, 0.01, out difference);
+        public bool Matches(VolumeGeometry other, out string difference) => Matches(other, SegmentedVolume.GeometryToleranceMm, out difference);
 
         /// <summary>How far two maps place the corner voxels of a grid apart, at most; mm.</summary>
         internal static double LargestCornerDistanceMm(Affine a, Affine b, int sizeI, int sizeJ, int sizeK)

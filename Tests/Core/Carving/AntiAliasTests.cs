@@ -70,6 +70,20 @@ namespace AnatomyCarve.Tests.Carving
         }
 
         [Test]
+        public void Filter_SameOnOppositeSides_HasNoGradientAndIsBitIdentical()
+        {
+            var scenes = new RandomScenes(85);
+            var settings = new AntiAliasSettings(0, 0, 0, 1);
+            for (int n = 0; n < 2000; n++)
+            {
+                float[] o = Neighbourhood(scenes);
+                for (int index = 0; index < AntiAlias.Centre; index++)
+                    o[index] = o[26 - index];
+                Assert.That(AntiAlias.Filter(o, settings), Is.EqualTo(o[AntiAlias.Centre]));
+            }
+        }
+
+        [Test]
         public void Gradient_LinearField_IsExact()
         {
             float[] o = Enumerable.Range(0, 27).Select(n => 0.5f + 0.125f * (n % 3 - 1) - 0.0625f * (n / 3 % 3 - 1) + 0.03125f * (n / 9 - 1)).ToArray();

@@ -185,6 +185,28 @@ namespace AnatomyCarve.Tests.Carving
         }
 
         [Test]
+        public void Codes_WithACacheLimit_AreTheSameInLittleMemory()
+        {
+            const long Limit = 20000;
+            const long LargestCache = 2000; // of a brick that all of ten spheres reach
+            var scenes = new RandomScenes(63);
+            for (int scene = 0; scene < 10; scene++)
+            {
+                SegmentedVolume volume = scenes.Volume(40, SegmentCount);
+                List<ClipSphere> spheres = scenes.Spheres(volume.Geometry, SegmentCount, 10);
+                CarvedField free = Phantoms.Field(volume, CutMode.Smooth, AntiAliasSettings.Default, spheres.ToArray());
+                var limited = new CarvedField(volume, Limit);
+                limited.Update(spheres, Phantoms.Ramp, volume.Segments, CutMode.Smooth, AntiAliasSettings.Default);
+                for (int n = 0; n < 2000; n++)
+                {
+                    int i = scenes.Next(volume.Geometry.SizeI), j = scenes.Next(volume.Geometry.SizeJ), k = scenes.Next(volume.Geometry.SizeK);
+                    Assert.That(limited.AntiAliasedCode(i, j, k), Is.EqualTo(free.AntiAliasedCode(i, j, k)));
+                    Assert.That(limited.CachedBytes, Is.LessThanOrEqualTo(Limit + LargestCache));
+                }
+            }
+        }
+
+        [Test]
         public void Update_WrongNumberOfSegments_Throws()
         {
             SegmentedVolume volume = Phantoms.Cube(2, 3, (i, j, k) => 50, (i, j, k) => 0);

@@ -5,6 +5,7 @@ using System.Linq;
 using System.Threading;
 using AnatomyCarve.Carving;
 using AnatomyCarve.Volumes;
+using Newtonsoft.Json.Linq;
 using NUnit.Framework;
 
 namespace AnatomyCarve.Tests.Carving
@@ -62,13 +63,12 @@ namespace AnatomyCarve.Tests.Carving
         }
 
         [TestCase(double.Epsilon)]
-        [TestCase(double.MaxValue)]
-        [TestCase(-double.MaxValue)]
+        [TestCase(ClipSphere.LargestMm)]
+        [TestCase(-ClipSphere.LargestMm)]
         [TestCase(0.1 + 0.2)]
         [TestCase(1.0 / 3)]
-        [TestCase(-0.0)]
         [TestCase(9007199254740993)]
-        [TestCase(123456789012345680000.0)]
+        [TestCase(123456789012345680.0)]
         public void SaveAndLoad_AnyNumber_KeepsEveryBit(double number)
         {
             var sphere = new CarvingDocumentSphere(new PointMm(number, -number, number), Math.Abs(number), Enumerable.Empty<SegmentReference>());
@@ -78,6 +78,15 @@ namespace AnatomyCarve.Tests.Carving
             Assert.That(BitConverter.DoubleToInt64Bits(read.CentreLps.X), Is.EqualTo(BitConverter.DoubleToInt64Bits(number)));
             Assert.That(BitConverter.DoubleToInt64Bits(read.CentreLps.Y), Is.EqualTo(BitConverter.DoubleToInt64Bits(-number)));
             Assert.That(read.RadiusMm, Is.EqualTo(Math.Abs(number)));
+        }
+
+        [Test]
+        public void SaveAndLoad_MinusZero_IsZero()
+        {
+            var sphere = new CarvingDocumentSphere(new PointMm(-0.0, 0, 0), 1, Enumerable.Empty<SegmentReference>());
+            string text = CarvingFile.Format(new CarvingDocument(new[] { sphere }));
+            Assert.That(text, Does.Contain("[0, 0, 0]"));
+            Assert.That(CarvingFile.Parse(text).Fixed[0].CentreLps, Is.EqualTo(new PointMm(0, 0, 0)));
         }
 
         [Test]
@@ -101,8 +110,27 @@ namespace AnatomyCarve.Tests.Carving
         [Test]
         public void Parse_Ras_NegatesXAndY()
         {
-            CarvingDocument document = CarvingFile.Parse("{\"version\": 1, \"space\": \"RAS\", \"spheres\": [], \"active\": " + Sphere + "}");
-            Assert.That(document.Active.CentreLps, Is.EqualTo(new PointMm(-1, -2, 3)));
+            CarvingDocument document = CarvingFile.Parse("{\"version\": 1, \"space\": \"RAS\", \"spheres\": [" + Sphere + "]}");
+            Assert.That(document.Fixed.Single().CentreLps, Is.EqualTo(new PointMm(-1, -2, 3)));
+        }
+
+        [Test]
+        public void Format_ActiveSphere_IsTheLastOfTheSpheres()
+        {
+            var sphere = new CarvingDocumentSphere(new PointMm(1, 2, 3), 4, new SegmentReference[0]);
+            JObject json = JObject.Parse(CarvingFile.Format(new CarvingDocument(new[] { sphere }, sphere)));
+            Assert.That(json["spheres"].Select(s => (bool?)s["active"]), Is.EqualTo(new bool?[] { null, true }));
+            Assert.That(json.Properties().Select(p => p.Name), Is.EqualTo(new[] { "version", "space", "spheres" }));
+        }
+
+        [TestCase("true", "spheres[0].active", "true")]
+        [TestCase("1", "spheres[0].active", "1")]
+        public void Parse_ActiveSphereThatIsNotTheLast_IsRefused(string active, string field, string found)
+        {
+            string first = Sphere.TrimEnd('}') + ", \"active\": " + active + "}";
+            CarvingFileException problem = Refused("{\"version\": 1, \"space\": \"LPS\", \"spheres\": [" + first + ", " + Sphere + "]}");
+            Assert.That(problem.Field, Is.EqualTo(field));
+            Assert.That(problem.FoundValue, Is.EqualTo(found));
         }
 
         [Test]
@@ -139,6 +167,8 @@ namespace AnatomyCarve.Tests.Carving
         [TestCase("{\"centerMm\": [1, 2, NaN], \"radiusMm\": 1, \"clipped\": []}", "spheres[0].centerMm[2]", "NaN")]
         [TestCase("{\"centerMm\": [1, 2, 3], \"radiusMm\": Infinity, \"clipped\": []}", "spheres[0].radiusMm", "Infinity")]
         [TestCase("{\"centerMm\": [1, 2, 3], \"radiusMm\": -1, \"clipped\": []}", "spheres[0].radiusMm", "-1")]
+        [TestCase("{\"centerMm\": [1, -2e18, 3], \"radiusMm\": 1, \"clipped\": []}", "spheres[0].centerMm[1]", "-2E+18")]
+        [TestCase("{\"centerMm\": [1, 2, 3], \"radiusMm\": 1.5e18, \"clipped\": []}", "spheres[0].radiusMm", "1.5E+18")]
         [TestCase("{\"centerMm\": [1, 2, 3], \"clipped\": []}", "spheres[0].radiusMm", "missing")]
         [TestCase("{\"centerMm\": [1, 2, 3], \"radiusMm\": 1}", "spheres[0].clipped", "missing")]
         [TestCase("{\"centerMm\": [1, 2, 3], \"radiusMm\": 1, \"clipped\": [{}]}", "spheres[0].clipped[0]", "{}")]

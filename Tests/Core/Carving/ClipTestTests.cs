@@ -40,6 +40,18 @@ namespace AnatomyCarve.Tests.Carving
             Assert.That(onBoundary, Is.LessThan(compared / 1000));
         }
 
+        [Test]
+        public void Inside_LargestSpheres_AreDecidedInFloatWithoutOverflow([Values(-1, 1)] int sign)
+        {
+            const double Largest = ClipSphere.LargestMm;
+            var grid = new CentredGrid(new VolumeGeometry(3, 3, 3, Affine.Identity));
+            SegmentMask all = SegmentMask.All(1);
+            var far = new PointMm(sign * Largest, sign * Largest, sign * Largest);
+            Assert.That(ClipTest.IsClipped(grid, new[] { new ClipSphere(far, Largest, all) }, 1, 1, 1, 0), Is.False, "its surface is 0.7e18 mm away");
+            var beside = new PointMm(sign * 0.5 * Largest, 0, 0);
+            Assert.That(ClipTest.IsClipped(grid, new[] { new ClipSphere(beside, Largest, all) }, 1, 1, 1, 0), Is.True);
+        }
+
         [TestCase(3, 4, 0, 5)]
         [TestCase(2, 3, 6, 7)]
         [TestCase(-1, 4, -8, 9)]

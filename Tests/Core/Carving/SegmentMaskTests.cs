@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using AnatomyCarve.Carving;
+using AnatomyCarve.Volumes;
 using NUnit.Framework;
 
 namespace AnatomyCarve.Tests.Carving
@@ -12,7 +13,7 @@ namespace AnatomyCarve.Tests.Carving
         [TestCase(32)]
         [TestCase(33)]
         [TestCase(1024)]
-        [TestCase(65535)]
+        [TestCase(SegmentTable.MaximumCount)]
         public void All_AnyCount_HasEveryBitAndNoOther(int count)
         {
             SegmentMask all = SegmentMask.All(count);
@@ -59,7 +60,7 @@ namespace AnatomyCarve.Tests.Carving
 
         [TestCase(0)]
         [TestCase(-1)]
-        [TestCase(65537)]
+        [TestCase(SegmentTable.MaximumCount + 1)]
         public void All_CountOutsideItsRange_Throws(int count) =>
             Assert.That(() => SegmentMask.All(count), Throws.InstanceOf<ArgumentOutOfRangeException>());
 
@@ -77,9 +78,11 @@ namespace AnatomyCarve.Tests.Carving
         [TestCase(0, 0, 0, double.NaN)]
         [TestCase(0, 0, 0, double.PositiveInfinity)]
         [TestCase(0, 0, 0, -1e-9)]
+        [TestCase(0, -2e18, 0, 1)]
+        [TestCase(0, 0, 0, 2e18)]
         public void ClipSphere_NumberOutsideItsRange_Throws(double x, double y, double z, double radius) =>
             Assert.That(
-                () => new ClipSphere(new AnatomyCarve.Volumes.PointMm(x, y, z), radius, SegmentMask.All(1)),
-                Throws.InstanceOf<ArgumentException>());
+                () => new ClipSphere(new PointMm(x, y, z), radius, SegmentMask.All(1)),
+                Throws.InstanceOf<ArgumentOutOfRangeException>());
     }
 }

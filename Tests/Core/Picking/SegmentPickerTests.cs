@@ -94,6 +94,14 @@ namespace AnatomyCarve.Tests.Picking
             Assert.That(hit.Segment, Is.EqualTo(1));
         }
 
+        [Test]
+        public void Pick_OpaqueMatterInAShortLastStep_StopsAllLight()
+        {
+            CarvedField field = Phantoms.Field(Phantoms.Cube(9, 2, (i, j, k) => 100, (i, j, k) => 1), CutMode.Binary, AntiAliasSettings.Default);
+            SegmentHit hit = SegmentPicker.Pick(field, new RayMm(new PointMm(4, -100, 4), new VectorMm(0, 1, 0)), Default, 99.501);
+            Assert.That(hit.DistanceMm, Is.EqualTo(99.5).Within(1e-9));
+        }
+
         [TestCase(2.0)]
         [TestCase(1.0)]
         [TestCase(0.5)]

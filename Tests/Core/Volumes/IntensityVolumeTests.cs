@@ -89,6 +89,37 @@ namespace AnatomyCarve.Tests.Volumes
         }
 
         [Test]
+        public void PaddingFarBelowAScan_LeavesTheScanItsSteps()
+        {
+            int[] values = Enumerable.Range(0, 2000).Select(n => n < 60 ? int.MinValue : n - 1000).ToArray();
+            IntensityVolume volume = IntensityVolume.FromVolumeData(Line(values));
+            Assert.That(volume.Codes.Skip(60).Select(volume.ValueOf), Is.EqualTo(values.Skip(60).Select(v => (double)v)).Within(1.0));
+            Assert.That(volume.Codes.Take(60), Is.All.EqualTo(0), "padding is darker than all else");
+            Assert.That(volume.Warnings, Has.Count.EqualTo(1));
+            Assert.That(volume.Warnings[0], Does.StartWith("60 voxels"));
+        }
+
+        [Test]
+        public void OutliersInABackgroundThatFillsMost_LeaveTheRestItsSteps()
+        {
+            float[] values = Enumerable.Range(0, 10000).Select(n => n < 9700 ? 0f : n % 100).ToArray();
+            values[5] = 1e9f;
+            IntensityVolume volume = IntensityVolume.FromVolumeData(Line(values));
+            Assert.That(volume.ValueOf(volume.Codes[9950]), Is.EqualTo(50).Within(0.1));
+            Assert.That(volume.ValueOf(volume.Codes[5]), Is.EqualTo(volume.ValueMax).Within(0.1));
+            Assert.That(volume.Warnings[0], Does.StartWith("1 voxels"));
+        }
+
+        [Test]
+        public void WholeNumbersWithOutliersThatFit_StayExact()
+        {
+            int[] values = Enumerable.Range(0, 2000).Select(n => n == 7 ? 65000 : n % 10).ToArray();
+            IntensityVolume volume = IntensityVolume.FromVolumeData(Line(values));
+            Assert.That(volume.Codes.Select(volume.ValueOf), Is.EqualTo(values.Select(v => (double)v)));
+            Assert.That(volume.Warnings, Is.Empty);
+        }
+
+        [Test]
         public void ValuesThatSpanMoreThanDoublesHold_AreRefused()
         {
             VolumeData data = Line(new[] { -double.MaxValue, double.MaxValue });

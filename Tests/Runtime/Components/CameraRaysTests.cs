@@ -57,7 +57,8 @@ namespace AnatomyCarve.Tests.Components
             camera.transform.rotation = Quaternion.LookRotation(volume.position - camera.transform.position, Vector3.up);
             camera.fieldOfView = 30f;
             PictureData picture = renderer.Render(camera, 96, 96).Read();
-            Vector3 anterior = volume.TransformPoint(VolumeSpace.LpsToLocal(renderer.Volume.Geometry, renderer.Volume.Geometry.CentreLps + Phantoms.MarkerCentre(Phantoms.Anterior)));
+            Vector3 anterior = volume.TransformPoint(VolumeSpace.LpsToLocal(
+                renderer.Volume.Geometry, renderer.Volume.Geometry.CentreLps + Phantoms.MarkerCentre(Phantoms.Anterior)));
             Vector2 pixel = Project(camera, anterior, 96, 96);
             Assert.That(picture.Segments[(int)pixel.x + 96 * (int)pixel.y], Is.EqualTo(Phantoms.Anterior));
         }

@@ -1,9 +1,12 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
+using System.Text.RegularExpressions;
 using AnatomyCarve.Carving;
 using AnatomyCarve.Volumes;
 using NUnit.Framework;
 using UnityEngine;
+using UnityEngine.TestTools;
 
 namespace AnatomyCarve.Tests.Components
 {
@@ -73,7 +76,8 @@ namespace AnatomyCarve.Tests.Components
             stack.Clear();
             Assert.That(kinds, Is.EqualTo(new[]
             {
-                CarvingChangeKind.ActiveSet, CarvingChangeKind.MaskChanged, CarvingChangeKind.ActiveFixed, CarvingChangeKind.LastRemoved, CarvingChangeKind.Cleared,
+                CarvingChangeKind.ActiveSet, CarvingChangeKind.MaskChanged, CarvingChangeKind.ActiveFixed, CarvingChangeKind.LastRemoved,
+                CarvingChangeKind.Cleared,
             }));
         }
 
@@ -117,6 +121,22 @@ namespace AnatomyCarve.Tests.Components
         }
 
         [Test]
+        public void Load_WhatDoesNotFit_IsLoggedAndSavedAgainByAListener()
+        {
+            ClipSphereStack stack = MakeVolume(Phantoms.Cube(8, "Cube")).Stack;
+            ClipSphereStack other = MakeVolume(Phantoms.Markers(20)).Stack;
+            other.SetActive(Vector3.zero, 0.01f);
+            using (var files = new NrrdFiles())
+            {
+                other.Save(files.PathOf("carving.json"));
+                stack.Changed += change => stack.Save(files.PathOf("again.json"));
+                LogAssert.Expect(LogType.Warning, new Regex("Superior"));
+                Assert.That(stack.Load(files.PathOf("carving.json")), Is.Not.Empty);
+                Assert.That(File.ReadAllText(files.PathOf("again.json")), Does.Contain("Superior"), "segments that this volume lacks are kept");
+            }
+        }
+
+        [Test]
         public void Load_OfABadFile_KeepsTheCarving()
         {
             ClipSphereStack stack = MakeVolume(Phantoms.Markers(20)).Stack;
@@ -132,6 +152,7 @@ namespace AnatomyCarve.Tests.Components
 
         static PointMm Centre(ClipSphereStack stack) => stack.Loader.Volume.Geometry.CentreLps;
 
-        static void AssertPoint(PointMm actual, PointMm expected) => Assert.That(actual.DistanceTo(expected), Is.LessThan(ToleranceMm), $"{actual} instead of {expected}");
+        static void AssertPoint(PointMm actual, PointMm expected) =>
+            Assert.That(actual.DistanceTo(expected), Is.LessThan(ToleranceMm), $"{actual} instead of {expected}");
     }
 }

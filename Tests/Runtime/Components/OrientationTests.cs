@@ -50,7 +50,8 @@ namespace AnatomyCarve.Tests.Components
             {
                 const int size = 32;
                 const double spacing = 1.25;
-                SegmentedVolume volume = Phantoms.Markers(Phantoms.Centred(axes[0] * spacing, axes[1] * spacing, axes[2] * spacing, size, size, size), size, size, size);
+                SegmentedVolume volume = Phantoms.Markers(
+                    Phantoms.Centred(axes[0] * spacing, axes[1] * spacing, axes[2] * spacing, size, size, size), size, size, size);
                 CarvedVolumeRenderer renderer = MakeVolume(volume);
                 renderer.Stack.SetActive(new Vector3(0.004f, 0f, -0.016f), 0.008f);
                 PictureData picture = renderer.Render(Oblique(volume)).Read();
@@ -68,7 +69,8 @@ namespace AnatomyCarve.Tests.Components
             SegmentedVolume straight = Phantoms.Markers(64);
             Quaternion turn = Quaternion.Euler(25f, -40f, 15f);
             VectorMm Axis(Vector3 v) => new VectorMm(v.x, v.y, v.z) * 0.7;
-            SegmentedVolume oblique = Phantoms.Markers(Phantoms.Centred(Axis(turn * Vector3.right), Axis(turn * Vector3.up), Axis(turn * Vector3.forward), 80, 80, 80), 80, 80, 80);
+            SegmentedVolume oblique = Phantoms.Markers(
+                Phantoms.Centred(Axis(turn * Vector3.right), Axis(turn * Vector3.up), Axis(turn * Vector3.forward), 80, 80, 80), 80, 80, 80);
             PictureData a = MakeVolume(straight).Render(FrontView(straight, Pixels)).Read();
             PictureData b = MakeVolume(oblique).Render(FrontView(oblique, Pixels)).Read();
             for (int segment = Phantoms.Right; segment <= Phantoms.Inferior; segment++)
@@ -84,7 +86,8 @@ namespace AnatomyCarve.Tests.Components
         {
             var wrong = new List<int>();
             for (int p = 0; p < expected.Segments.Length; p++)
-                if (expected.Segments[p] != actual.Segments[p] || (expected.Segments[p] != PictureData.NoSegment && Mathf.Abs(expected.DepthMm[p] - actual.DepthMm[p]) > 0.05f))
+                if (expected.Segments[p] != actual.Segments[p]
+                    || (expected.Segments[p] != PictureData.NoSegment && Mathf.Abs(expected.DepthMm[p] - actual.DepthMm[p]) > 0.05f))
                     wrong.Add(p);
             Assert.That(wrong.Count, Is.LessThanOrEqualTo(expected.Segments.Length / 100), what);
         }

@@ -141,7 +141,8 @@ namespace AnatomyCarve.Tests.Components
         {
             CarvedVolumeRenderer renderer = MakeVolume(Phantoms.Markers());
             renderer.Render(FrontView(renderer.Volume));
-            Assert.That(renderer.Statistics.BytesResident, Is.GreaterThan(7L * renderer.Volume.Geometry.VoxelCount), "intensity 2, labels 1, opacities 2, normals 2 bytes a voxel");
+            Assert.That(renderer.Statistics.BytesResident, Is.GreaterThan(7L * renderer.Volume.Geometry.VoxelCount),
+                "intensity 2, labels 1, opacities 2, normals 2 bytes a voxel");
             foreach (ResourceSize resource in renderer.Statistics.Resources)
                 Assert.That(resource.Name, Does.StartWith("AnatomyCarve"));
         }

@@ -65,6 +65,16 @@ namespace AnatomyCarve.Tests.Components
             Assert.That(renderer.Statistics.SobelNormals.Bricks, Is.GreaterThanOrEqualTo(renderer.Statistics.AntiAlias.Bricks).And.LessThan(all / 4));
         }
 
+        [TestCase(40)]
+        [TestCase(21)]
+        public void Statistics_OfAFirstPicture_CountTheVolumesVoxels(int size)
+        {
+            CarvedVolumeRenderer renderer = MakeVolume(Phantoms.Markers(size));
+            renderer.Render(FrontView(renderer.Volume));
+            RenderStatistics done = renderer.Statistics;
+            Assert.That(new[] { done.ClipVoxels.Elements, done.AntiAlias.Elements, done.SobelNormals.Elements }, Is.All.EqualTo((long)size * size * size));
+        }
+
         [Test]
         public void Edits_OneByOne_EndInThePictureOfAFreshRenderer([Values(1, 2, 3)] int seed)
         {
@@ -88,7 +98,7 @@ namespace AnatomyCarve.Tests.Components
             changed.Render(FrontView(changed.Volume));
             Action<CarvedVolumeRenderer>[] changes =
             {
-                r => r.Quality.CutMode = CutMode.Binary,
+                r => r.Quality.CutMode = CutMode.Smooth,
                 r => r.Quality.AntiAliasing = 0.5f,
                 r => r.Segments = r.Volume.Segments.WithOpacity(Phantoms.Body, 0.25f),
                 r => r.Segments = r.Segments.WithColor(Phantoms.Left, new SegmentColor(255, 0, 0)),
@@ -125,7 +135,6 @@ namespace AnatomyCarve.Tests.Components
         public void Stack_WithThousandsOfSpheres_IsShown()
         {
             CarvedVolumeRenderer renderer = MakeVolume(Phantoms.Markers());
-            renderer.Quality.CutMode = CutMode.Binary;
             var spheres = new ClipSphere[4096];
             SegmentMask mask = SegmentMask.FromIndices(renderer.Segments.Count, new[] { Phantoms.Body });
             for (int s = 0; s < spheres.Length; s++)

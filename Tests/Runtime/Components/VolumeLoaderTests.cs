@@ -39,7 +39,6 @@ namespace AnatomyCarve.Tests.Components
         public IEnumerator Load_OfTwoFiles_PublishesTheVolume()
         {
             Task<SegmentedVolume> load = loader.LoadAsync(files.WriteIntensity("ct.nrrd", Patient), files.WriteLabels("labels.nrrd", Patient));
-            Assert.That(loader.IsLoading, Is.True);
             yield return Finished(load);
             Assert.That(loader.Volume, Is.SameAs(load.Result));
             Assert.That(loader.Volume.Labels.Indices, Is.EqualTo(Patient.Labels.Indices));
@@ -101,13 +100,29 @@ namespace AnatomyCarve.Tests.Components
         }
 
         [UnityTest]
+        public IEnumerator Load_WhileItReads_IsLoading()
+        {
+            using (var gate = new Gate())
+            {
+                Task<SegmentedVolume> load = loader.LoadAsync(files.WriteIntensity("ct.nrrd", Patient), null, default, gate);
+                Assert.That(loader.IsLoading, Is.True);
+                Assert.That(loader.Volume, Is.Null);
+                gate.Open();
+                yield return Finished(load);
+            }
+            Assert.That(loader.IsLoading, Is.False);
+        }
+
+        [UnityTest]
         public IEnumerator Load_Cancelled_KeepsWhatWasThereAndIsNoFailure()
         {
             loader.SetVolume(Patient);
             using (var source = new CancellationTokenSource())
+            using (var gate = new Gate())
             {
-                Task<SegmentedVolume> load = loader.LoadAsync(files.WriteIntensity("ct.nrrd", Patient), null, source.Token);
+                Task<SegmentedVolume> load = loader.LoadAsync(files.WriteIntensity("ct.nrrd", Patient), null, source.Token, gate);
                 source.Cancel();
+                gate.Open();
                 yield return Finished(load);
                 Assert.That(load.IsCanceled, Is.True);
             }
@@ -116,26 +131,63 @@ namespace AnatomyCarve.Tests.Components
         }
 
         [UnityTest]
-        public IEnumerator Load_WhileAnotherRuns_TakesItsPlace()
+        public IEnumerator Load_WhileAnotherRuns_TakesItsPlaceAndItsProgress()
         {
             string path = files.WriteIntensity("ct.nrrd", Patient);
-            Task<SegmentedVolume> first = loader.LoadAsync(path);
-            Task<SegmentedVolume> second = loader.LoadAsync(path, files.WriteLabels("labels.nrrd", Patient));
-            yield return Finished(first);
-            yield return Finished(second);
-            Assert.That(first.IsCanceled, Is.True);
-            Assert.That(loader.Volume, Is.SameAs(second.Result));
+            using (var gate = new Gate())
+            {
+                Task<SegmentedVolume> first = loader.LoadAsync(path, null, default, gate);
+                Task<SegmentedVolume> second = loader.LoadAsync(path, files.WriteLabels("labels.nrrd", Patient));
+                yield return Finished(second);
+                gate.Open();
+                yield return Finished(first);
+                Assert.That(first.IsCanceled, Is.True);
+                Assert.That(loader.Volume, Is.SameAs(second.Result));
+            }
+            Assert.That(loader.Progress, Is.EqualTo(1f));
             Assert.That(events, Is.EqualTo(new[] { "loaded" }));
         }
 
         [UnityTest]
         public IEnumerator Loader_DestroyedWhileItLoads_PublishesNothing()
         {
-            Task<SegmentedVolume> load = loader.LoadAsync(files.WriteIntensity("ct.nrrd", Patient));
-            Object.DestroyImmediate(loader.gameObject);
-            yield return Finished(load);
-            Assert.That(load.IsCanceled, Is.True);
+            using (var gate = new Gate())
+            {
+                Task<SegmentedVolume> load = loader.LoadAsync(files.WriteIntensity("ct.nrrd", Patient), null, default, gate);
+                Object.DestroyImmediate(loader.gameObject);
+                gate.Open();
+                yield return Finished(load);
+                Assert.That(load.IsCanceled, Is.True);
+            }
             Assert.That(events, Is.Empty);
+        }
+
+        [UnityTest]
+        public IEnumerator Load_OfAnOddFile_LogsWhatWasOddWithItsName()
+        {
+            string path = files.WriteText("odd.nrrd", "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 1 1 1\nencoding: ascii\n\n7\n");
+            LogAssert.Expect(LogType.Warning, new Regex("^odd\\.nrrd: .*no space directions"));
+            Task<SegmentedVolume> load = loader.LoadAsync(path, path);
+            yield return Finished(load);
+            Assert.That(load.Result.Warnings, Has.Count.GreaterThanOrEqualTo(2).And.All.StartsWith("odd.nrrd: "), "one of each file at least");
+        }
+
+        [UnityTest]
+        public IEnumerator Load_OfSeveralValuesPerVoxel_WarnsThatOneIsShown()
+        {
+            string path = files.WriteText("colour.nrrd", "NRRD0004\ntype: uint8\ndimension: 4\nspace: left-posterior-superior\nsizes: 3 1 1 1\n"
+                + "kinds: vector domain domain domain\nspace directions: none (1,0,0) (0,1,0) (0,0,1)\nencoding: ascii\n\n7 8 9\n");
+            Task<SegmentedVolume> load = loader.LoadAsync(path);
+            yield return Finished(load);
+            Assert.That(load.Result.Warnings, Has.Exactly(1).Contains("3 values per voxel"));
+        }
+
+        [UnityTest]
+        public IEnumerator Load_OfARelativePath_LooksInStreamingAssets()
+        {
+            Task<SegmentedVolume> load = loader.LoadAsync("no-such-file.nrrd");
+            yield return Finished(load);
+            Assert.That(load.Exception.InnerException.Message, Does.Contain(Application.streamingAssetsPath));
         }
 
         [UnityTest]
@@ -193,6 +245,23 @@ namespace AnatomyCarve.Tests.Components
             var clock = Stopwatch.StartNew();
             while (!happened() && clock.Elapsed < TimeSpan.FromSeconds(60))
                 yield return null;
+        }
+
+        /// <summary>Holds the thread that reads, at its first report, until it is opened.</summary>
+        sealed class Gate : IProgress<float>, IDisposable
+        {
+            readonly Thread main = Thread.CurrentThread;
+            readonly ManualResetEventSlim open = new ManualResetEventSlim();
+
+            public void Open() => open.Set();
+
+            public void Report(float value)
+            {
+                if (Thread.CurrentThread != main)
+                    open.Wait(TimeSpan.FromSeconds(60));
+            }
+
+            public void Dispose() => open.Set();
         }
 
         sealed class Reports : IProgress<float>

@@ -14,7 +14,7 @@ namespace AnatomyCarve.Tests.Kernels
         /// <summary>Opacity before anti-aliasing, R8.</summary>
         public byte[] Opacity { get; private set; }
 
-        /// <summary>The opacity that rays sample. Bound as R32_SFloat, because some devices filter R8 with 8 bits only.</summary>
+        /// <summary>The opacity that rays sample.</summary>
         public float[] OpacityAA { get; private set; }
 
         public ushort[] Labels { get; private set; }
@@ -49,6 +49,8 @@ namespace AnatomyCarve.Tests.Kernels
         public double OpaqueAlpha { get; set; } = 1 - 1 / 255.0;
 
         public double VisibleAlpha { get; set; } = 0.5;
+
+        public OpacityFilter Filter { get; set; } = OpacityFilter.Exact;
 
         public double[] Light { get; set; } = { 0, 0, 1 };
 
@@ -144,7 +146,7 @@ namespace AnatomyCarve.Tests.Kernels
             rig.Set("_RayDirectionDx", Row(DirectionDx));
             rig.Set("_RayDirectionDy", Row(DirectionDy));
             rig.Set("_RayRange", new Vector4((float)NearT, (float)FarT, 0, 0));
-            rig.Set("_March", new Vector4((float)Step, (float)OpaqueAlpha, (float)VisibleAlpha, 0));
+            rig.Set("_March", new Vector4((float)Step, (float)OpaqueAlpha, (float)VisibleAlpha, Filter == OpacityFilter.Exact ? 1 : 0));
             rig.Set("_LightDirection", Row(Light));
             rig.Set("_LightColor", Row(LightColor));
             rig.Set("_Shading", new Vector4((float)Ambient, (float)Diffuse, (float)Specular, (float)Shininess));

@@ -39,7 +39,8 @@ namespace AnatomyCarve.Tests
         /// <summary>A body with six markers around it, 40 mm wide.</summary>
         /// <param name="size">Voxels along each axis.</param>
         public static SegmentedVolume Markers(int size = 40) =>
-            Markers(Centred(new VectorMm(1, 0, 0) * (40.0 / size), new VectorMm(0, 1, 0) * (40.0 / size), new VectorMm(0, 0, 1) * (40.0 / size), size, size, size), size, size, size);
+            Markers(
+                Centred(new VectorMm(40.0 / size, 0, 0), new VectorMm(0, 40.0 / size, 0), new VectorMm(0, 0, 40.0 / size), size, size, size), size, size, size);
 
         /// <summary>A body with six markers around it, on a grid of one's own.</summary>
         public static SegmentedVolume Markers(Affine ijkToLps, int sizeI, int sizeJ, int sizeK)
@@ -103,7 +104,10 @@ namespace AnatomyCarve.Tests
                     }
             var segments = new List<Segment> { new Segment(0, 0, "Unlabelled", new SegmentColor(128, 128, 128)) };
             for (int s = 0; s < names.Length; s++)
-                segments.Add(new Segment(s + 1, 10 * (s + 1), names[s], new SegmentColor((byte)(60 + 25 * s), (byte)(220 - 25 * s), (byte)(40 * s % 200 + 30))));
+            {
+                var color = new SegmentColor((byte)(60 + 25 * s), (byte)(220 - 25 * s), (byte)(40 * s % 200 + 30));
+                segments.Add(new Segment(s + 1, 10 * (s + 1), names[s], color));
+            }
             return new SegmentedVolume(new IntensityVolume(geometry, codes, 0, 1, Matter), new LabelMap(geometry, indices, new SegmentTable(segments)));
         }
     }

@@ -70,7 +70,8 @@ namespace UnityEngine
         {
             if (!IsBlittable(element))
                 throw new ArgumentException($"Array passed to {api} must be blittable.\n{element} is not blittable.");
-            return (int)typeof(BufferTransfer).GetMethod(nameof(SizeOf), BindingFlags.Static | BindingFlags.NonPublic).MakeGenericMethod(element).Invoke(null, null);
+            return (int)typeof(BufferTransfer).GetMethod(nameof(SizeOf), BindingFlags.Static | BindingFlags.NonPublic).MakeGenericMethod(element)
+                .Invoke(null, null);
         }
 
         static int SizeOf<T>() where T : struct => sizeof(T);

@@ -28,14 +28,16 @@ namespace UnityEngine
             if (stride % 4 != 0 || stride > MaxStride)
                 throw new ArgumentException($"Invalid stride {stride} for Compute Buffer - must be a multiple of 4 and at most {MaxStride}", nameof(stride));
             if ((long)count * stride > SystemInfo.maxGraphicsBufferSize)
-                throw new ArgumentException($"The total size of the compute buffer ({(long)count * stride} bytes) exceeds the maximum buffer size. Maximum supported buffer size: {SystemInfo.maxGraphicsBufferSize} bytes.");
+                throw new ArgumentException($"The total size of the compute buffer ({(long)count * stride} bytes) exceeds the maximum buffer size. Maximum "
+                    + $"supported buffer size: {SystemInfo.maxGraphicsBufferSize} bytes.");
             m_Buffer = new GpuBuffer(TypeName, count, stride, TargetOf(type));
         }
 
         ~ComputeBuffer()
         {
             if (m_Buffer is { IsAlive: true })
-                Debug.LogWarning("GarbageCollector disposing of ComputeBuffer. Please use ComputeBuffer.Release() or .Dispose() to manually release the buffer.");
+                Debug.LogWarning("GarbageCollector disposing of ComputeBuffer. Please use ComputeBuffer.Release() or .Dispose() to manually release the "
+                    + "buffer.");
         }
 
         public int count => Alive("count").Count;
@@ -85,7 +87,8 @@ namespace UnityEngine
 
         public void SetCounterValue(uint counterValue) => BufferCounters.Set(Alive("SetCounterValue"), counterValue);
 
-        public static void CopyCount(ComputeBuffer src, ComputeBuffer dst, int dstOffsetBytes) => BufferCounters.Copy(src?.m_Buffer, dst?.m_Buffer, dstOffsetBytes);
+        public static void CopyCount(ComputeBuffer src, ComputeBuffer dst, int dstOffsetBytes) =>
+            BufferCounters.Copy(src?.m_Buffer, dst?.m_Buffer, dstOffsetBytes);
 
         static GraphicsBuffer.Target TargetOf(ComputeBufferType type)
         {

@@ -10,7 +10,8 @@ namespace UnityEngine
         const uint FillPattern = 0xFFCDCDCD;
 
         const uint Usage = Vk.VK_BUFFER_USAGE_TRANSFER_SRC_BIT | Vk.VK_BUFFER_USAGE_TRANSFER_DST_BIT | Vk.VK_BUFFER_USAGE_STORAGE_BUFFER_BIT
-            | Vk.VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | Vk.VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT | Vk.VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | Vk.VK_BUFFER_USAGE_INDEX_BUFFER_BIT;
+            | Vk.VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | Vk.VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT | Vk.VK_BUFFER_USAGE_VERTEX_BUFFER_BIT
+                | Vk.VK_BUFFER_USAGE_INDEX_BUFFER_BIT;
 
         readonly GpuContext m_Context;
         readonly string m_Kind;
@@ -125,7 +126,8 @@ namespace UnityEngine
         /// <summary>Records a copy from here to the start of another buffer.</summary>
         internal void CopyTo(VulkanBuffer target, ulong offset, ulong bytes) => Copy(m_Context, Storage, offset, target, 0, bytes);
 
-        internal void CopyFrom(VulkanBuffer source, ulong sourceOffset, ulong offset, ulong bytes) => Copy(m_Context, source, sourceOffset, Storage, offset, bytes);
+        internal void CopyFrom(VulkanBuffer source, ulong sourceOffset, ulong offset, ulong bytes) =>
+            Copy(m_Context, source, sourceOffset, Storage, offset, bytes);
 
         internal void SetCounter(uint value) => Fill(Counter, value);
 

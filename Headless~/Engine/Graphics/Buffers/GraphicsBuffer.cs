@@ -30,7 +30,8 @@ namespace UnityEngine
                 throw new ArgumentException("Attempting to create an index buffer with an invalid stride: " + stride, nameof(stride));
             const Target loose = Target.Vertex | Target.Index | Target.CopySource | Target.CopyDestination;
             if ((target & ~loose) != 0 && stride % 4 != 0)
-                throw new ArgumentException("Stride must be a multiple of 4 unless the buffer is only used as a vertex buffer and/or index buffer", nameof(stride));
+                throw new ArgumentException("Stride must be a multiple of 4 unless the buffer is only used as a vertex buffer and/or index buffer",
+                    nameof(stride));
             if ((target & Target.Structured) != 0 && stride > MaxStructuredStride)
                 throw new ArgumentException($"Structured buffers have strides of at most {MaxStructuredStride} bytes, not {stride}", nameof(stride));
             if ((target & Target.Raw) != 0 && (target & Target.Structured) == 0 && stride != 4)
@@ -39,7 +40,8 @@ namespace UnityEngine
                 throw new ArgumentException("A buffer that is locked for writing cannot be a copy destination", nameof(target));
             var size = (long)count * stride;
             if (size > SystemInfo.maxGraphicsBufferSize)
-                throw new ArgumentException($"The total size of the graphics buffer ({size} bytes) exceeds the maximum buffer size. Maximum supported buffer size: {SystemInfo.maxGraphicsBufferSize} bytes.");
+                throw new ArgumentException($"The total size of the graphics buffer ({size} bytes) exceeds the maximum buffer size. Maximum supported "
+                    + $"buffer size: {SystemInfo.maxGraphicsBufferSize} bytes.");
             this.usageFlags = usageFlags;
             m_Buffer = new GpuBuffer(TypeName, count, stride, target);
         }
@@ -47,7 +49,8 @@ namespace UnityEngine
         ~GraphicsBuffer()
         {
             if (m_Buffer is { IsAlive: true })
-                Debug.LogWarning("GarbageCollector disposing of GraphicsBuffer. Please use GraphicsBuffer.Release() or .Dispose() to manually release the buffer.");
+                Debug.LogWarning("GarbageCollector disposing of GraphicsBuffer. Please use GraphicsBuffer.Release() or .Dispose() to manually release the "
+                    + "buffer.");
         }
 
         public int count => Alive("count").Count;
@@ -109,11 +112,14 @@ namespace UnityEngine
         public void SetCounterValue(uint counterValue) => BufferCounters.Set(Alive("SetCounterValue"), counterValue);
 
         /// <summary>Copies the hidden counter into another buffer.</summary>
-        public static void CopyCount(GraphicsBuffer src, GraphicsBuffer dst, int dstOffsetBytes) => BufferCounters.Copy(src?.m_Buffer, dst?.m_Buffer, dstOffsetBytes);
+        public static void CopyCount(GraphicsBuffer src, GraphicsBuffer dst, int dstOffsetBytes) =>
+            BufferCounters.Copy(src?.m_Buffer, dst?.m_Buffer, dstOffsetBytes);
 
-        public static void CopyCount(ComputeBuffer src, GraphicsBuffer dst, int dstOffsetBytes) => BufferCounters.Copy(src?.Native, dst?.m_Buffer, dstOffsetBytes);
+        public static void CopyCount(ComputeBuffer src, GraphicsBuffer dst, int dstOffsetBytes) =>
+            BufferCounters.Copy(src?.Native, dst?.m_Buffer, dstOffsetBytes);
 
-        public static void CopyCount(GraphicsBuffer src, ComputeBuffer dst, int dstOffsetBytes) => BufferCounters.Copy(src?.m_Buffer, dst?.Native, dstOffsetBytes);
+        public static void CopyCount(GraphicsBuffer src, ComputeBuffer dst, int dstOffsetBytes) =>
+            BufferCounters.Copy(src?.m_Buffer, dst?.Native, dstOffsetBytes);
 
         public static void CopyCount(ComputeBuffer src, ComputeBuffer dst, int dstOffsetBytes) => BufferCounters.Copy(src?.Native, dst?.Native, dstOffsetBytes);
 

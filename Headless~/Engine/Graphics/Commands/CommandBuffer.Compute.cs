@@ -4,7 +4,8 @@ namespace UnityEngine.Rendering
 {
     public partial class CommandBuffer
     {
-        public void SetComputeFloatParam(ComputeShader computeShader, string name, float val) => SetComputeFloatParam(computeShader, Shader.PropertyToID(name), val);
+        public void SetComputeFloatParam(ComputeShader computeShader, string name, float val) =>
+            SetComputeFloatParam(computeShader, Shader.PropertyToID(name), val);
 
         public void SetComputeFloatParam(ComputeShader computeShader, int nameID, float val) => Record(computeShader, s => s.SetFloat(nameID, val));
 
@@ -12,7 +13,8 @@ namespace UnityEngine.Rendering
 
         public void SetComputeIntParam(ComputeShader computeShader, int nameID, int val) => Record(computeShader, s => s.SetInt(nameID, val));
 
-        public void SetComputeVectorParam(ComputeShader computeShader, string name, Vector4 val) => SetComputeVectorParam(computeShader, Shader.PropertyToID(name), val);
+        public void SetComputeVectorParam(ComputeShader computeShader, string name, Vector4 val) =>
+            SetComputeVectorParam(computeShader, Shader.PropertyToID(name), val);
 
         public void SetComputeVectorParam(ComputeShader computeShader, int nameID, Vector4 val) => Record(computeShader, s => s.SetVector(nameID, val));
 
@@ -25,7 +27,8 @@ namespace UnityEngine.Rendering
             Record(computeShader, s => s.SetVectorArray(nameID, copy));
         }
 
-        public void SetComputeMatrixParam(ComputeShader computeShader, string name, Matrix4x4 val) => SetComputeMatrixParam(computeShader, Shader.PropertyToID(name), val);
+        public void SetComputeMatrixParam(ComputeShader computeShader, string name, Matrix4x4 val) =>
+            SetComputeMatrixParam(computeShader, Shader.PropertyToID(name), val);
 
         public void SetComputeMatrixParam(ComputeShader computeShader, int nameID, Matrix4x4 val) => Record(computeShader, s => s.SetMatrix(nameID, val));
 

@@ -25,7 +25,8 @@ namespace UnityEngine.Rendering
 
         public void SetBufferData<T>(GraphicsBuffer buffer, NativeArray<T> data) where T : struct => SetBufferData(buffer, (Array)data.ToArray());
 
-        public void SetBufferData<T>(GraphicsBuffer buffer, NativeArray<T> data, int nativeBufferStartIndex, int graphicsBufferStartIndex, int count) where T : struct =>
+        public void SetBufferData<T>(GraphicsBuffer buffer, NativeArray<T> data, int nativeBufferStartIndex, int graphicsBufferStartIndex, int count)
+            where T : struct =>
             SetBufferData(buffer, (Array)data.ToArray(), nativeBufferStartIndex, graphicsBufferStartIndex, count);
 
         public void RequestAsyncReadback(Texture src, Action<AsyncGPUReadbackRequest> callback) =>
@@ -37,7 +38,8 @@ namespace UnityEngine.Rendering
         public void RequestAsyncReadback(Texture src, int mipIndex, GraphicsFormat dstFormat, Action<AsyncGPUReadbackRequest> callback) =>
             Record(() => AsyncGPUReadback.Request(src, mipIndex, dstFormat, callback));
 
-        public void RequestAsyncReadback(Texture src, int mipIndex, int x, int width, int y, int height, int z, int depth, Action<AsyncGPUReadbackRequest> callback) =>
+        public void RequestAsyncReadback(Texture src, int mipIndex, int x, int width, int y, int height, int z, int depth,
+            Action<AsyncGPUReadbackRequest> callback) =>
             Record(() => AsyncGPUReadback.Request(src, mipIndex, x, width, y, height, z, depth, callback));
 
         public void RequestAsyncReadback(GraphicsBuffer src, Action<AsyncGPUReadbackRequest> callback) =>

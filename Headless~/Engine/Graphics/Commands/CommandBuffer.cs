@@ -74,7 +74,8 @@ namespace UnityEngine.Rendering
 
         public void CopyTexture(RenderTargetIdentifier src, int srcElement, int srcMip, int srcX, int srcY, int srcWidth, int srcHeight,
             RenderTargetIdentifier dst, int dstElement, int dstMip, int dstX, int dstY) =>
-            Record(() => Graphics.CopyTexture(Existing(src), srcElement, srcMip, srcX, srcY, srcWidth, srcHeight, Existing(dst), dstElement, dstMip, dstX, dstY));
+            Record(() => Graphics.CopyTexture(Existing(src), srcElement, srcMip, srcX, srcY, srcWidth, srcHeight, Existing(dst), dstElement, dstMip,
+                dstX, dstY));
 
         public void CopyBuffer(GraphicsBuffer source, GraphicsBuffer dest) => Record(() => Graphics.CopyBuffer(source, dest));
 

@@ -25,7 +25,8 @@ namespace UnityEngine
         public static void CopyTexture(Texture src, int srcElement, int srcMip, Texture dst, int dstElement, int dstMip) =>
             TextureCopy.Element(src, srcElement, srcMip, dst, dstElement, dstMip);
 
-        public static void CopyTexture(Texture src, int srcElement, int srcMip, int srcX, int srcY, int srcWidth, int srcHeight, Texture dst, int dstElement, int dstMip, int dstX, int dstY) =>
+        public static void CopyTexture(Texture src, int srcElement, int srcMip, int srcX, int srcY, int srcWidth, int srcHeight, Texture dst, int dstElement,
+            int dstMip, int dstX, int dstY) =>
             TextureCopy.Region(src, srcElement, srcMip, srcX, srcY, srcWidth, srcHeight, dst, dstElement, dstMip, dstX, dstY);
 
         /// <summary>All bytes; sizes must agree.</summary>

@@ -46,7 +46,8 @@ namespace UnityEngine
         {
             if (!Ready(source, target, out var from, out var to) || !HasMip(source, target, from, sourceMip) || !HasMip(source, target, to, targetMip))
                 return;
-            if (!Inside(from, sourceMip, sourceX, sourceY, sourceElement, width, height) || !Inside(to, targetMip, targetX, targetY, targetElement, width, height))
+            if (!Inside(from, sourceMip, sourceX, sourceY, sourceElement, width, height)
+                || !Inside(to, targetMip, targetX, targetY, targetElement, width, height))
             {
                 Fail(source, target, "the region is not inside both textures");
                 return;

@@ -9,7 +9,8 @@ namespace UnityEngine
 
         public void SetTexture(int kernelIndex, int nameID, Texture texture) => SetTexture(kernelIndex, nameID, texture, 0);
 
-        public void SetTexture(int kernelIndex, string name, Texture texture, int mipLevel) => SetTexture(kernelIndex, Shader.PropertyToID(name), texture, mipLevel);
+        public void SetTexture(int kernelIndex, string name, Texture texture, int mipLevel) =>
+            SetTexture(kernelIndex, Shader.PropertyToID(name), texture, mipLevel);
 
         /// <param name="kernelIndex">The kernel.</param>
         /// <param name="nameID">The property.</param>
@@ -57,13 +58,15 @@ namespace UnityEngine
         /// <exception cref="ArgumentNullException">No buffer.</exception>
         public void SetBuffer(int kernelIndex, int nameID, ComputeBuffer buffer) => SetBuffer(kernelIndex, nameID, buffer?.Native);
 
-        public void SetConstantBuffer(string name, GraphicsBuffer buffer, int offset, int size) => SetConstantBuffer(Shader.PropertyToID(name), buffer, offset, size);
+        public void SetConstantBuffer(string name, GraphicsBuffer buffer, int offset, int size) =>
+            SetConstantBuffer(Shader.PropertyToID(name), buffer, offset, size);
 
         /// <summary>Binds bytes of a buffer as a whole cbuffer; values set by name then do not count.</summary>
         /// <exception cref="ArgumentException">The range does not fit, or is not aligned.</exception>
         public void SetConstantBuffer(int nameID, GraphicsBuffer buffer, int offset, int size) => SetConstantBuffer(nameID, buffer?.Native, offset, size);
 
-        public void SetConstantBuffer(string name, ComputeBuffer buffer, int offset, int size) => SetConstantBuffer(Shader.PropertyToID(name), buffer, offset, size);
+        public void SetConstantBuffer(string name, ComputeBuffer buffer, int offset, int size) =>
+            SetConstantBuffer(Shader.PropertyToID(name), buffer, offset, size);
 
         public void SetConstantBuffer(int nameID, ComputeBuffer buffer, int offset, int size) => SetConstantBuffer(nameID, buffer?.Native, offset, size);
 

@@ -75,7 +75,8 @@ namespace UnityEngine
             ThrowUnlessValid(kernelIndex);
             var variant = Variant(kernelIndex);
             variant.Compile();
-            var layout = variant.Layout ?? throw new IndexOutOfRangeException($"Invalid kernelIndex ({kernelIndex}) passed: it does not compile with the present keywords.");
+            var layout = variant.Layout
+                ?? throw new IndexOutOfRangeException($"Invalid kernelIndex ({kernelIndex}) passed: it does not compile with the present keywords.");
             (x, y, z) = ((uint)layout.GroupX, (uint)layout.GroupY, (uint)layout.GroupZ);
         }
 
@@ -92,11 +93,13 @@ namespace UnityEngine
         /// <summary>Runs a kernel on a grid whose three sizes the GPU reads from a buffer.</summary>
         /// <exception cref="ArgumentNullException">No buffer.</exception>
         /// <exception cref="ObjectDisposedException">The buffer was released.</exception>
-        public void DispatchIndirect(int kernelIndex, GraphicsBuffer argsBuffer, uint argsOffset) => DispatchIndirect(kernelIndex, argsBuffer?.Native, argsOffset);
+        public void DispatchIndirect(int kernelIndex, GraphicsBuffer argsBuffer, uint argsOffset) =>
+            DispatchIndirect(kernelIndex, argsBuffer?.Native, argsOffset);
 
         public void DispatchIndirect(int kernelIndex, ComputeBuffer argsBuffer) => DispatchIndirect(kernelIndex, argsBuffer, 0);
 
-        public void DispatchIndirect(int kernelIndex, ComputeBuffer argsBuffer, uint argsOffset) => DispatchIndirect(kernelIndex, argsBuffer?.Native, argsOffset);
+        public void DispatchIndirect(int kernelIndex, ComputeBuffer argsBuffer, uint argsOffset) =>
+            DispatchIndirect(kernelIndex, argsBuffer?.Native, argsOffset);
 
         internal void DispatchIndirect(int kernelIndex, GpuBuffer argsBuffer, uint argsOffset)
         {

@@ -8,7 +8,8 @@ namespace UnityEngine
     {
         static readonly (string Word, TextureWrapMode Mode)[] s_Wraps =
         {
-            ("mirroronce", TextureWrapMode.MirrorOnce), ("mirror", TextureWrapMode.Mirror), ("clamp", TextureWrapMode.Clamp), ("repeat", TextureWrapMode.Repeat),
+            ("mirroronce", TextureWrapMode.MirrorOnce), ("mirror", TextureWrapMode.Mirror), ("clamp", TextureWrapMode.Clamp), ("repeat",
+                TextureWrapMode.Repeat),
         };
 
         /// <summary>False if the name lacks a filter or a wrap mode.</summary>

@@ -117,16 +117,20 @@ namespace UnityEngine
             if (native == null)
                 return NotSet(binding) + $" (RenderTexture '{value.Texture.NameForMessages}' is not created)";
             if (value.Texture.dimension != binding.Dimension)
-                return $"Property ({binding.Name}) at kernel index ({m_Kernel}) has mismatching texture dimension (expected {(int)binding.Dimension}, got {(int)value.Texture.dimension})";
+                return $"Property ({binding.Name}) at kernel index ({m_Kernel}) has mismatching texture dimension (expected {(int)binding.Dimension}, got "
+                    + $"{(int)value.Texture.dimension})";
             var number = native.Format.Kind switch { ChannelKind.UInt => NumberKind.UInt, ChannelKind.SInt => NumberKind.Int, _ => NumberKind.Float };
             if (number != binding.Number)
-                return $"Property ({binding.Name}) at kernel index ({m_Kernel}) is of {binding.Number}, but texture '{value.Texture.NameForMessages}' has the format {native.Format.Format}";
+                return $"Property ({binding.Name}) at kernel index ({m_Kernel}) is of {binding.Number}, but texture '{value.Texture.NameForMessages}' has "
+                    + $"the format {native.Format.Format}";
             if (binding.Kind == BindingKind.RandomWriteTexture)
             {
                 if (!native.IsRandomWrite)
-                    return $"Property ({binding.Name}) at kernel index ({m_Kernel}): Attempting to bind texture '{value.Texture.NameForMessages}' as UAV but the texture wasn't created with the UAV usage flag set!";
+                    return $"Property ({binding.Name}) at kernel index ({m_Kernel}): Attempting to bind texture '{value.Texture.NameForMessages}' as UAV "
+                        + "but the texture wasn't created with the UAV usage flag set!";
                 if (binding.Reads && native.Format is not { Channels: 1, Bits: 32 })
-                    return $"Property ({binding.Name}) at kernel index ({m_Kernel}) is read and written, so its texture must have one 32-bit channel, not {native.Format.Format}";
+                    return $"Property ({binding.Name}) at kernel index ({m_Kernel}) is read and written, so its texture must have one 32-bit channel, not "
+                        + $"{native.Format.Format}";
                 if (value.Mip < 0 || value.Mip >= native.Image.Shape.Mips)
                     return $"Property ({binding.Name}) at kernel index ({m_Kernel}): texture '{value.Texture.NameForMessages}' has no mip level {value.Mip}";
             }
@@ -143,13 +147,16 @@ namespace UnityEngine
             if (!buffer.IsAlive)
                 return NotSet(binding) + $" (buffer '{buffer.Name}' was released)";
             if (binding.IsCounter && buffer.Counter == null)
-                return $"Property ({binding.Name}) at kernel index ({m_Kernel}) counts, but buffer '{buffer.Name}' was not made with the target Append or Counter";
+                return $"Property ({binding.Name}) at kernel index ({m_Kernel}) counts, but buffer '{buffer.Name}' was not made with the target Append or "
+                    + "Counter";
             var raw = (buffer.Target & GraphicsBuffer.Target.Raw) != 0;
             var structured = (buffer.Target & (GraphicsBuffer.Target.Structured | GraphicsBuffer.Target.Append | GraphicsBuffer.Target.Counter)) != 0;
             if (!raw && !structured)
-                return $"Property ({binding.Name}) at kernel index ({m_Kernel}): buffer '{buffer.Name}' has the target {buffer.Target}, which kernels cannot bind";
+                return $"Property ({binding.Name}) at kernel index ({m_Kernel}): buffer '{buffer.Name}' has the target {buffer.Target}, which kernels "
+                    + "cannot bind";
             if (!binding.IsCounter && !raw && buffer.Stride != binding.Stride)
-                return $"Property ({binding.Name}) at kernel index ({m_Kernel}): the stride of the shader's struct is {binding.Stride} bytes, that of buffer '{buffer.Name}' {buffer.Stride}";
+                return $"Property ({binding.Name}) at kernel index ({m_Kernel}): the stride of the shader's struct is {binding.Stride} bytes, that of "
+                    + $"buffer '{buffer.Name}' {buffer.Stride}";
             slot.Buffer = binding.IsCounter ? buffer.Counter : buffer.Storage;
             slot.Range = Vk.VK_WHOLE_SIZE;
             return null;
@@ -161,8 +168,10 @@ namespace UnityEngine
             if (!InlineSampler.TryParse(binding.Name, out var state))
             {
                 var texture = binding.Name.StartsWith(prefix, StringComparison.Ordinal) ? Shader.PropertyToID(binding.Name.Substring(prefix.Length)) : 0;
-                if (!m_Shader.Resources(m_Kernel).Textures.TryGetValue(texture, out var value) && !ShaderGlobals.Resources.Textures.TryGetValue(texture, out value))
-                    return $"Sampler '{binding.Name}' at kernel index ({m_Kernel}) is neither 'sampler' with the name of a texture that is set, nor an inline sampler (a filter and a wrap mode)";
+                if (!m_Shader.Resources(m_Kernel).Textures.TryGetValue(texture, out var value)
+                    && !ShaderGlobals.Resources.Textures.TryGetValue(texture, out value))
+                    return $"Sampler '{binding.Name}' at kernel index ({m_Kernel}) is neither 'sampler' with the name of a texture that is set, nor an "
+                        + "inline sampler (a filter and a wrap mode)";
                 if (value.Texture == null)
                     return NotSet(binding) + " (the texture was destroyed)";
                 state = value.Texture.Sampler;
@@ -173,7 +182,8 @@ namespace UnityEngine
 
         string ResolveConstants(KernelBinding binding, ref Slot slot)
         {
-            if (m_Shader.Values.ConstantBuffers.TryGetValue(binding.NameId, out var bound) || ShaderGlobals.Values.ConstantBuffers.TryGetValue(binding.NameId, out bound))
+            if (m_Shader.Values.ConstantBuffers.TryGetValue(binding.NameId, out var bound)
+                || ShaderGlobals.Values.ConstantBuffers.TryGetValue(binding.NameId, out bound))
             {
                 if (!bound.Buffer.IsAlive)
                     return NotSet(binding) + " (the constant buffer was released)";
@@ -203,7 +213,8 @@ namespace UnityEngine
                 {
                     if (m_Layout.Bindings[j].Kind != BindingKind.Texture || m_Slots[j].Texture != m_Slots[i].Texture)
                         continue;
-                    Debug.LogError($"Compute shader ({m_Shader.NameForMessages}): texture '{m_Slots[i].Texture.Name}' is bound at kernel index ({m_Kernel}) both for reading ({m_Layout.Bindings[j].Name}) and for writing ({m_Layout.Bindings[i].Name})");
+                    Debug.LogError($"Compute shader ({m_Shader.NameForMessages}): texture '{m_Slots[i].Texture.Name}' is bound at kernel index "
+                        + $"({m_Kernel}) both for reading ({m_Layout.Bindings[j].Name}) and for writing ({m_Layout.Bindings[i].Name})");
                     return false;
                 }
             }

@@ -17,7 +17,8 @@ namespace UnityEngine
             }
             if (x > MaxGroups || y > MaxGroups || z > MaxGroups)
             {
-                Debug.LogError($"Thread group count is above the maximum allowed limit. Maximum allowed thread group count is {MaxGroups}. Compute shader ({shader.NameForMessages}), kernel index ({kernel}): {x} x {y} x {z}");
+                Debug.LogError($"Thread group count is above the maximum allowed limit. Maximum allowed thread group count is {MaxGroups}. Compute shader "
+                    + $"({shader.NameForMessages}), kernel index ({kernel}): {x} x {y} x {z}");
                 return;
             }
             var context = Gpu.Context;
@@ -31,7 +32,8 @@ namespace UnityEngine
         {
             if ((arguments.Target & GraphicsBuffer.Target.IndirectArguments) == 0 || offset % 4 != 0 || offset + 12 > arguments.Size)
             {
-                Debug.LogError($"DispatchIndirect: the buffer needs the target IndirectArguments and 12 bytes at a multiple of 4; offset {offset} of {arguments.Size} bytes. Compute shader ({shader.NameForMessages})");
+                Debug.LogError($"DispatchIndirect: the buffer needs the target IndirectArguments and 12 bytes at a multiple of 4; offset {offset} of "
+                    + $"{arguments.Size} bytes. Compute shader ({shader.NameForMessages})");
                 return;
             }
             var context = Gpu.Context;

@@ -48,7 +48,8 @@ namespace UnityEngine
 
         public static void SetGlobalBuffer(int nameID, ComputeBuffer value) => SetGlobalBuffer(nameID, value?.Native);
 
-        public static void SetGlobalConstantBuffer(string name, GraphicsBuffer value, int offset, int size) => SetGlobalConstantBuffer(PropertyToID(name), value, offset, size);
+        public static void SetGlobalConstantBuffer(string name, GraphicsBuffer value, int offset, int size) =>
+            SetGlobalConstantBuffer(PropertyToID(name), value, offset, size);
 
         public static void SetGlobalConstantBuffer(int nameID, GraphicsBuffer value, int offset, int size)
         {

@@ -2,7 +2,8 @@ using System;
 
 namespace UnityEngine.Experimental.Rendering
 {
-    /// <summary>One texel to and from a colour, by the rules of GPUs: no conversion between sRGB and linear, since stored values are what scripts see.</summary>
+    /// <summary>One texel to and from a colour, by the rules of GPUs: no conversion between sRGB and linear, since stored values are what scripts
+    /// see.</summary>
     static unsafe class TexelCodec
     {
         internal static Color Read(FormatInfo format, byte* texel)

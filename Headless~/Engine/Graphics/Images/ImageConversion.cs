@@ -44,13 +44,15 @@ namespace UnityEngine
         }
 
         /// <summary>Works on any thread. The result is the caller's to dispose of.</summary>
-        public static NativeArray<byte> EncodeNativeArrayToPNG<T>(NativeArray<T> input, GraphicsFormat format, uint width, uint height, uint rowBytes = 0) where T : struct
+        public static NativeArray<byte> EncodeNativeArrayToPNG<T>(NativeArray<T> input, GraphicsFormat format, uint width, uint height, uint rowBytes = 0)
+            where T : struct
         {
             var png = Encode(input.Reinterpret<byte>(PixelTransfer.SizeOf<T>()).AsReadOnlySpan(), format, width, height, rowBytes);
             return new NativeArray<byte>(png, Allocator.Persistent);
         }
 
-        /// <summary>Loads a PNG into a texture, which takes its size and becomes RGBA32. False if the file cannot be read: 8 bits per channel, not interlaced.</summary>
+        /// <summary>Loads a PNG into a texture, which takes its size and becomes RGBA32. False if the file cannot be read: 8 bits per channel, not
+        /// interlaced.</summary>
         public static bool LoadImage(this Texture2D tex, byte[] data) => LoadImage(tex, data, false);
 
         public static bool LoadImage(this Texture2D tex, byte[] data, bool markNonReadable)

@@ -82,7 +82,9 @@ namespace UnityEngine
                 for (var x = 0; x < stride; x++)
                 {
                     var at = y * stride + x;
-                    int left = x >= pixel ? rows[at - pixel] : 0, up = y > 0 ? rows[at - stride] : 0, corner = x >= pixel && y > 0 ? rows[at - stride - pixel] : 0;
+                    var left = x >= pixel ? rows[at - pixel] : 0;
+                    var up = y > 0 ? rows[at - stride] : 0;
+                    var corner = x >= pixel && y > 0 ? rows[at - stride - pixel] : 0;
                     var predicted = filter switch
                     {
                         0 => 0,

@@ -19,10 +19,12 @@ namespace UnityEngine.Rendering
             Readback.Texture(src, mipIndex, null, FormatTables.Of(dstFormat, true), callback, default);
 
         /// <summary>A part of a mip level. Position and size come in pairs per axis.</summary>
-        public static AsyncGPUReadbackRequest Request(Texture src, int mipIndex, int x, int width, int y, int height, int z, int depth, Action<AsyncGPUReadbackRequest> callback = null) =>
+        public static AsyncGPUReadbackRequest Request(Texture src, int mipIndex, int x, int width, int y, int height, int z, int depth,
+            Action<AsyncGPUReadbackRequest> callback = null) =>
             Readback.Texture(src, mipIndex, new TexelBox(x, y, z, width, height, depth), null, callback, default);
 
-        public static AsyncGPUReadbackRequest Request(Texture src, int mipIndex, int x, int width, int y, int height, int z, int depth, GraphicsFormat dstFormat, Action<AsyncGPUReadbackRequest> callback = null) =>
+        public static AsyncGPUReadbackRequest Request(Texture src, int mipIndex, int x, int width, int y, int height, int z, int depth,
+            GraphicsFormat dstFormat, Action<AsyncGPUReadbackRequest> callback = null) =>
             Readback.Texture(src, mipIndex, new TexelBox(x, y, z, width, height, depth), dstFormat, callback, default);
 
         public static AsyncGPUReadbackRequest Request(GraphicsBuffer src, Action<AsyncGPUReadbackRequest> callback = null) =>
@@ -43,13 +45,16 @@ namespace UnityEngine.Rendering
 
         /// <summary>Into an array of the caller's, which must not be touched until the request is done.</summary>
         /// <exception cref="ArgumentException">The array is too small or of Temp or TempJob memory.</exception>
-        public static AsyncGPUReadbackRequest RequestIntoNativeArray<T>(ref NativeArray<T> output, Texture src, int mipIndex = 0, Action<AsyncGPUReadbackRequest> callback = null) where T : struct =>
+        public static AsyncGPUReadbackRequest RequestIntoNativeArray<T>(ref NativeArray<T> output, Texture src, int mipIndex = 0,
+            Action<AsyncGPUReadbackRequest> callback = null) where T : struct =>
             Readback.Texture(src, mipIndex, null, null, callback, Readback.Output(output));
 
-        public static AsyncGPUReadbackRequest RequestIntoNativeArray<T>(ref NativeArray<T> output, GraphicsBuffer src, Action<AsyncGPUReadbackRequest> callback = null) where T : struct =>
+        public static AsyncGPUReadbackRequest RequestIntoNativeArray<T>(ref NativeArray<T> output, GraphicsBuffer src,
+            Action<AsyncGPUReadbackRequest> callback = null) where T : struct =>
             Readback.Buffer(src?.Native, null, callback, Readback.Output(output));
 
-        public static AsyncGPUReadbackRequest RequestIntoNativeArray<T>(ref NativeArray<T> output, GraphicsBuffer src, int size, int offset, Action<AsyncGPUReadbackRequest> callback = null) where T : struct =>
+        public static AsyncGPUReadbackRequest RequestIntoNativeArray<T>(ref NativeArray<T> output, GraphicsBuffer src, int size, int offset,
+            Action<AsyncGPUReadbackRequest> callback = null) where T : struct =>
             Readback.Buffer(src?.Native, (size, offset), callback, Readback.Output(output));
 
         /// <summary>Waits for everything asked for so far.</summary>

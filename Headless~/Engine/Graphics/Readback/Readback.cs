@@ -7,7 +7,8 @@ namespace UnityEngine.Rendering
     /// <summary>Checks requests and hands them to the queue.</summary>
     static class Readback
     {
-        internal static AsyncGPUReadbackRequest Texture(Texture source, int mip, TexelBox? part, GraphicsFormat? asked, Action<AsyncGPUReadbackRequest> callback, NativeArray<byte> output)
+        internal static AsyncGPUReadbackRequest Texture(Texture source, int mip, TexelBox? part, GraphicsFormat? asked,
+            Action<AsyncGPUReadbackRequest> callback, NativeArray<byte> output)
         {
             MainThread.Check("AsyncGPUReadback.Request");
             if (source == null)
@@ -23,7 +24,8 @@ namespace UnityEngine.Rendering
             var box = part ?? new TexelBox(0, 0, 0, width, height, depth);
             if (box.X < 0 || box.Y < 0 || box.Z < 0 || box.Width <= 0 || box.Height <= 0 || box.Depth <= 0
                 || box.X + box.Width > width || box.Y + box.Height > height || box.Z + box.Depth > depth)
-                return Failed($"AsyncGPUReadback - the region is not inside the mip level of {width} x {height} x {depth} (texture '{source.NameForMessages}').", callback);
+                return Failed($"AsyncGPUReadback - the region is not inside the mip level of {width} x {height} x {depth} (texture "
+                    + $"'{source.NameForMessages}').", callback);
             var format = asked is { } wanted ? FormatInfo.Of(wanted) : native.Format;
             if (format == null)
                 return Failed($"AsyncGPUReadback - the format {asked} is not supported.", callback);
@@ -31,7 +33,8 @@ namespace UnityEngine.Rendering
             return new AsyncGPUReadbackRequest(Gpu.Context.Readbacks.Enqueue(native, mip, box, format, Operation(callback, output)));
         }
 
-        internal static AsyncGPUReadbackRequest Buffer(GpuBuffer source, (int Size, int Offset)? part, Action<AsyncGPUReadbackRequest> callback, NativeArray<byte> output)
+        internal static AsyncGPUReadbackRequest Buffer(GpuBuffer source, (int Size, int Offset)? part, Action<AsyncGPUReadbackRequest> callback,
+            NativeArray<byte> output)
         {
             MainThread.Check("AsyncGPUReadback.Request");
             if (source == null)
@@ -50,7 +53,8 @@ namespace UnityEngine.Rendering
             if (!output.IsCreated)
                 throw new ArgumentException("The array is not created", nameof(output));
             if (output.Memory.Allocator is Allocator.Temp or Allocator.TempJob)
-                throw new ArgumentException("AsyncGPUReadback cannot use Temp memory as input since the result may only become available at an unspecified point in the future.");
+                throw new ArgumentException("AsyncGPUReadback cannot use Temp memory as input since the result may only become available at an unspecified "
+                    + "point in the future.");
             return output.Reinterpret<byte>(PixelTransfer.SizeOf<T>());
         }
 

@@ -44,13 +44,15 @@ namespace UnityEngine
         internal static Color Get(TexturePixels pixels, int mip, int layer, int x, int y, int z)
         {
             var (width, height, depth) = pixels.Shape.Mip(mip);
-            return TexelCodec.Read(pixels.Format, pixels.Texel(mip, layer, Mathf.Clamp(x, 0, width - 1), Mathf.Clamp(y, 0, height - 1), Mathf.Clamp(z, 0, depth - 1)));
+            return TexelCodec.Read(pixels.Format,
+                pixels.Texel(mip, layer, Mathf.Clamp(x, 0, width - 1), Mathf.Clamp(y, 0, height - 1), Mathf.Clamp(z, 0, depth - 1)));
         }
 
         internal static void Set(TexturePixels pixels, int mip, int layer, int x, int y, int z, Color color)
         {
             var (width, height, depth) = pixels.Shape.Mip(mip);
-            TexelCodec.Write(pixels.Format, pixels.Texel(mip, layer, Mathf.Clamp(x, 0, width - 1), Mathf.Clamp(y, 0, height - 1), Mathf.Clamp(z, 0, depth - 1)), color);
+            TexelCodec.Write(pixels.Format,
+                pixels.Texel(mip, layer, Mathf.Clamp(x, 0, width - 1), Mathf.Clamp(y, 0, height - 1), Mathf.Clamp(z, 0, depth - 1)), color);
         }
 
         static void CheckReadable(Texture texture, TexturePixels pixels)

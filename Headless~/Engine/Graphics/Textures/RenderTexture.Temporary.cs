@@ -32,7 +32,8 @@ namespace UnityEngine
 
         public static RenderTexture GetTemporary(int width, int height) => GetTemporary(width, height, 0);
 
-        public static RenderTexture GetTemporary(int width, int height, int depthBuffer) => GetTemporary(width, height, depthBuffer, RenderTextureFormat.Default);
+        public static RenderTexture GetTemporary(int width, int height, int depthBuffer) =>
+            GetTemporary(width, height, depthBuffer, RenderTextureFormat.Default);
 
         public static RenderTexture GetTemporary(int width, int height, int depthBuffer, RenderTextureFormat format) =>
             GetTemporary(width, height, depthBuffer, format, RenderTextureReadWrite.Default);

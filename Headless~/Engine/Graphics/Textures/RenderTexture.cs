@@ -159,7 +159,8 @@ namespace UnityEngine
 
         internal override GpuTexture Native => m_Native is { IsAlive: true } ? m_Native : null;
 
-        internal override int MipCount => m_Descriptor.useMipMap ? TextureShapes.Mips(width, height, IsVolume ? volumeDepth : 1, m_Descriptor.mipCount, true) : 1;
+        internal override int MipCount =>
+            m_Descriptor.useMipMap ? TextureShapes.Mips(width, height, IsVolume ? volumeDepth : 1, m_Descriptor.mipCount, true) : 1;
 
         bool IsVolume => dimension == TextureDimension.Tex3D;
 
@@ -230,9 +231,11 @@ namespace UnityEngine
         static void Validate(in RenderTextureDescriptor desc)
         {
             if (desc.graphicsFormat == GraphicsFormat.None)
-                throw new ArgumentException("RenderTextureDesc graphicsFormat must be a supported GraphicsFormat. None is not supported.", "desc.graphicsFormat");
-            if (!SystemInfo.IsFormatSupported(desc.graphicsFormat, GraphicsFormatUsage.Sample))
-                throw new ArgumentException($"RenderTextureDesc graphicsFormat must be a supported GraphicsFormat. {desc.graphicsFormat} is not supported on this platform.", "desc.graphicsFormat");
+                throw new ArgumentException("RenderTextureDesc graphicsFormat must be a supported GraphicsFormat. None is not supported.",
+                    "desc.graphicsFormat");
+            if (!SystemInfo.IsFormatSupported(desc.graphicsFormat, GraphicsFormatUsage.Render))
+                throw new ArgumentException($"RenderTextureDesc graphicsFormat must be a supported GraphicsFormat. {desc.graphicsFormat} is not supported "
+                    + "on this platform.", "desc.graphicsFormat");
             if (desc.width <= 0)
                 throw new ArgumentException("RenderTextureDesc width must be greater than zero.", "desc.width");
             if (desc.height <= 0)
@@ -250,7 +253,7 @@ namespace UnityEngine
             var max = d.dimension == TextureDimension.Tex3D ? SystemInfo.maxTexture3DSize : SystemInfo.maxTextureSize;
             if (d.width <= 0 || d.height <= 0 || d.volumeDepth <= 0 || d.width > max || d.height > max || d.volumeDepth > max)
                 return $"{d.width} x {d.height} x {d.volumeDepth} is outside 1 to {max} per axis.";
-            if (!SystemInfo.IsFormatSupported(d.graphicsFormat, GraphicsFormatUsage.Sample))
+            if (!SystemInfo.IsFormatSupported(d.graphicsFormat, GraphicsFormatUsage.Render))
                 return $"format {d.graphicsFormat} is not supported.";
             if (d.enableRandomWrite && !SystemInfo.IsFormatSupported(d.graphicsFormat, GraphicsFormatUsage.LoadStore))
                 return $"format {d.graphicsFormat} does not support random writes.";

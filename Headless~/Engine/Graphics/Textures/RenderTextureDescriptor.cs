@@ -27,7 +27,8 @@ namespace UnityEngine
         {
         }
 
-        public RenderTextureDescriptor(int width, int height, RenderTextureFormat colorFormat, int depthBufferBits, int mipCount, RenderTextureReadWrite readWrite)
+        public RenderTextureDescriptor(int width, int height, RenderTextureFormat colorFormat, int depthBufferBits, int mipCount,
+            RenderTextureReadWrite readWrite)
             : this(width, height, GraphicsFormatUtility.GetGraphicsFormat(colorFormat, readWrite), depthBufferBits, mipCount)
         {
         }

@@ -114,14 +114,16 @@ namespace UnityEngine
         }
 
         internal UnityException NotReadable() =>
-            new($"Texture '{NameForMessages}' is not readable, the texture memory can not be accessed from scripts. You can make the texture readable in the Texture Import Settings.");
+            new($"Texture '{NameForMessages}' is not readable, the texture memory can not be accessed from scripts. You can make the texture readable in "
+                + "the Texture Import Settings.");
 
         /// <summary>Logs Unity's error and makes the object a fake null if a texture of this format cannot exist.</summary>
         internal bool RefuseUnsupported(GraphicsFormat format, GraphicsFormatUsage usage)
         {
             if (SystemInfo.IsFormatSupported(format, usage))
                 return false;
-            Debug.LogError($"Texture creation failed. '{format}' is not supported for {usage} usage on this platform. Use 'SystemInfo.IsFormatSupported' C# API to check format support.");
+            Debug.LogError($"Texture creation failed. '{format}' is not supported for {usage} usage on this platform. Use 'SystemInfo.IsFormatSupported' "
+                + "C# API to check format support.");
             Kill();
             return true;
         }

@@ -46,7 +46,8 @@ namespace UnityEngine
 
         public void SetPixels32(Color32[] colors, int miplevel) => SetPixels(Array.ConvertAll(colors, c => (Color)c), miplevel);
 
-        /// <summary>Reads a part of the active render texture; waits for the GPU. Stored values are converted between formats, not between colour spaces.</summary>
+        /// <summary>Reads a part of the active render texture; waits for the GPU. Stored values are converted between formats, not between colour
+        /// spaces.</summary>
         /// <exception cref="UnityException">Not readable.</exception>
         public void ReadPixels(Rect source, int destX, int destY) => ReadPixels(source, destX, destY, true);
 

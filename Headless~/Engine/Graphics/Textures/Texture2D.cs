@@ -90,11 +90,13 @@ namespace UnityEngine
         {
             var all = Pixels.ViewAll<byte>();
             if (data == null || data.Length < all.Length)
-                throw new UnityException($"LoadRawTextureData: not enough data provided (will result in overread): {data?.Length ?? 0} bytes for {all.Length}.");
+                throw new UnityException($"LoadRawTextureData: not enough data provided (will result in overread): {data?.Length ?? 0} bytes for "
+                    + $"{all.Length}.");
             data.AsSpan(0, all.Length).CopyTo(all.AsSpan());
         }
 
-        public void LoadRawTextureData<T>(NativeArray<T> data) where T : struct => LoadRawTextureData(data.Reinterpret<byte>(PixelTransfer.SizeOf<T>()).ToArray());
+        public void LoadRawTextureData<T>(NativeArray<T> data) where T : struct =>
+            LoadRawTextureData(data.Reinterpret<byte>(PixelTransfer.SizeOf<T>()).ToArray());
 
         public void Apply() => Pixels.Apply(true, false);
 

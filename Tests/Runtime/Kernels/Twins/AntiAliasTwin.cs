@@ -37,7 +37,7 @@ namespace AnatomyCarve.Tests.Kernels
             });
             double size = Math.Sqrt(gx * gx + gy * gy + gz * gz) / 32;
             bool isFlat = high - low < Math.Max(ThresholdAbsolute, ThresholdRelative * high) * 0.99999;
-            if (isFlat || Strength == 0 || size < Math.Max(GradientMinimum, 6e-5))
+            if (isFlat || Strength == 0 || size < Math.Max(GradientMinimum, 0.5 / (255 * 32)))
                 return centre;
             double sum = centre, weights = 1;
             ForNeighbours((di, dj, dk) =>

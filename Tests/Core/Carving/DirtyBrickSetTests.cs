@@ -8,12 +8,12 @@ using NUnit.Framework;
 namespace AnatomyCarve.Tests.Carving
 {
     /// <summary>Dirty bricks never miss a voxel that an edit changes, and are few where few change.</summary>
-    public sealed class DirtyBricksTests
+    public sealed class DirtyBrickSetTests
     {
         const int SegmentCount = 9;
 
         [Test]
-        public void Between_RandomCarvings_HoldsEveryVoxelThatChanges()
+        public void Compute_RandomCarvings_HoldsEveryVoxelThatChanges()
         {
             var scenes = new RandomScenes(51);
             int changed = 0, clean = 0;
@@ -25,8 +25,8 @@ namespace AnatomyCarve.Tests.Carving
                 List<ClipSphere> after = Edited(scenes, volume.Geometry, before);
                 CarvedField old = Phantoms.Field(volume, cut, AntiAliasSettings.Default, before.ToArray());
                 CarvedField now = Phantoms.Field(volume, cut, AntiAliasSettings.Default, after.ToArray());
-                DirtyBricks opacity = DirtyBricks.Between(before, after, now.Bricks, now.Grid, cut, 0);
-                DirtyBricks antiAliased = DirtyBricks.Between(before, after, now.Bricks, now.Grid, cut, CarvingReach.AntiAliasVoxels);
+                DirtyBrickSet opacity = Between(before, after, volume.Geometry, cut, 0);
+                DirtyBrickSet antiAliased = Between(before, after, volume.Geometry, cut, CarvingReach.AntiAliasVoxels);
                 Phantoms.Map(volume.Geometry, (i, j, k) =>
                 {
                     int brick = now.Bricks.IndexOfVoxel(i, j, k);
@@ -46,21 +46,19 @@ namespace AnatomyCarve.Tests.Carving
         }
 
         [Test]
-        public void Between_SameSpheresInAnotherOrder_IsNone()
+        public void Compute_SameSpheresInAnotherOrder_IsNone()
         {
             var scenes = new RandomScenes(52);
             VolumeGeometry geometry = scenes.Geometry(40);
             List<ClipSphere> spheres = scenes.Spheres(geometry, SegmentCount, 20);
-            DirtyBricks dirty = DirtyBricks.Between(
-                spheres, scenes.Shuffled(spheres.Concat(spheres)), new BrickGrid(geometry), new CentredGrid(geometry), CutMode.Smooth, 2);
-            Assert.That(dirty.IsNone);
+            Assert.That(Between(spheres, scenes.Shuffled(spheres.Concat(spheres)), geometry, CutMode.Smooth, 2).IsNone);
         }
 
         [TestCase(0, 4.0, 8)]
         [TestCase(0, 2.0, 1)]
         [TestCase(CarvingReach.NormalsVoxels, 2.0, 8)]
         [TestCase(0, 5.0, 27)]
-        public void Of_SmallMove_IsTheBricksThatTheBoxOfBothPlacesMeets(int halo, double radius, int expected)
+        public void Compute_SmallMove_IsTheBricksThatTheBoxOfBothPlacesMeets(int halo, double radius, int expected)
         {
             var geometry = new VolumeGeometry(64, 64, 64, Affine.Identity);
             var stack = new CarvingStack(1);
@@ -70,15 +68,13 @@ namespace AnatomyCarve.Tests.Carving
 
             stack.SetActive(new PointMm(11.25, 11, 11), radius);
 
-            Assert.That(DirtyBricks.Of(last, new BrickGrid(geometry), new CentredGrid(geometry), CutMode.Binary, halo).Count, Is.EqualTo(expected));
+            Assert.That(Between(last.BeforeState, last.AfterState, geometry, CutMode.Binary, halo).Count, Is.EqualTo(expected));
         }
 
         [Test]
-        public void Of_SphereThatClipsNothing_IsNone()
+        public void Compute_SphereThatClipsNothing_IsNone()
         {
             var geometry = new VolumeGeometry(64, 64, 64, Affine.Identity);
-            var grid = new CentredGrid(geometry);
-            var bricks = new BrickGrid(geometry);
             SegmentMask all = SegmentMask.All(1);
             var none = Array.Empty<ClipSphere>();
             foreach (ClipSphere idle in new[]
@@ -89,36 +85,65 @@ namespace AnatomyCarve.Tests.Carving
                 new ClipSphere(new PointMm(30, 30, 1e9), 25, all),
             })
             {
-                Assert.That(DirtyBricks.Between(none, new[] { idle }, bricks, grid, CutMode.Smooth, 2).IsNone, idle.ToString());
+                Assert.That(Between(none, new[] { idle }, geometry, CutMode.Smooth, 2).IsNone, idle.ToString());
             }
         }
 
         [TestCase(1e6, 0.0)]
-        [TestCase(1e300, 0.0)]
-        [TestCase(1e300, 1e300)]
-        public void Of_SphereBeyondAllMeasure_IsAll(double radius, double place)
+        [TestCase(ClipSphere.LargestMm, 0.0)]
+        [TestCase(ClipSphere.LargestMm, ClipSphere.LargestMm)]
+        public void Compute_SphereBeyondAllMeasure_IsAll(double radius, double place)
         {
             var geometry = new VolumeGeometry(20, 30, 40, Affine.Identity);
-            DirtyBricks dirty = DirtyBricks.Between(
-                Array.Empty<ClipSphere>(), new[] { new ClipSphere(new PointMm(place, 0, 0), radius, SegmentMask.All(1)) },
-                new BrickGrid(geometry), new CentredGrid(geometry), CutMode.Binary, 0);
-            Assert.That(dirty.IsAll);
+            ClipSphere[] huge = { new ClipSphere(new PointMm(place, 0, 0), radius, SegmentMask.All(1)) };
+            Assert.That(Between(Array.Empty<ClipSphere>(), huge, geometry, CutMode.Binary, 0).IsAll);
         }
 
         [Test]
-        public void Union_OfTwo_HoldsBothAndPacksInOrder()
+        public void Compute_OnAUsedSet_GivesWhatAFreshSetGives()
+        {
+            var scenes = new RandomScenes(53);
+            VolumeGeometry geometry = scenes.Geometry(60);
+            DirtyBrickSet used = Set(geometry);
+            List<ClipSphere> before = scenes.Spheres(geometry, SegmentCount, 4);
+            for (int n = 0; n < 100; n++)
+            {
+                List<ClipSphere> after = Edited(scenes, geometry, before);
+                used.Compute(before, after, CutMode.Smooth, n % 3);
+                DirtyBrickSet fresh = Between(before, after, geometry, CutMode.Smooth, n % 3);
+                Assert.That(used.Indices, Is.EqualTo(fresh.Indices));
+                Assert.That(Enumerable.Range(0, used.Bricks.Count).Where(brick => used[brick]), Is.EqualTo(fresh.Indices), "ascending, and no other");
+                before = after;
+            }
+        }
+
+        [Test]
+        public void Compute_MovedSphereInALargeVolume_AllocatesNothingOfTheVolumesSize()
+        {
+            DirtyBrickSet dirty = Set(new VolumeGeometry(800, 800, 800, Affine.Identity));
+            var stack = new CarvingStack(1);
+            stack.SetActive(new PointMm(400, 400, 400), 20);
+            CarvingSnapshot before = stack.State;
+            stack.SetActive(new PointMm(401, 400, 400), 20);
+            for (int n = 0; n < 3; n++)
+                dirty.Compute(before, stack.State, CutMode.Smooth, 2);
+            long allocated = GC.GetAllocatedBytesForCurrentThread();
+            dirty.Compute(before, stack.State, CutMode.Smooth, 2);
+            allocated = GC.GetAllocatedBytesForCurrentThread() - allocated;
+            Assert.That(dirty.Count, Is.EqualTo(7 * 6 * 6));
+            Assert.That(allocated, Is.LessThan(1000), "bytes; the volume has a million bricks");
+        }
+
+        [Test]
+        public void PackInto_TwoPlaces_IsInTheOrderOfTheBricks()
         {
             var geometry = new VolumeGeometry(24, 24, 24, Affine.Identity);
-            var grid = new CentredGrid(geometry);
-            var bricks = new BrickGrid(geometry);
-            DirtyBricks At(double place) => DirtyBricks.Between(
-                Array.Empty<ClipSphere>(), new[] { new ClipSphere(new PointMm(place, place, place), 1, SegmentMask.All(1)) }, bricks, grid, CutMode.Binary, 0);
-
-            DirtyBricks union = At(20).Union(At(4));
-
-            Assert.That(union.Pack(), Is.EqualTo(new[] { BrickGrid.Pack(0, 0, 0), BrickGrid.Pack(2, 2, 2) }));
-            Assert.That(union.Union(DirtyBricks.All(bricks)).Pack(), Is.EqualTo(bricks.PackAll()));
-            Assert.That(DirtyBricks.None(bricks).Union(union).Count, Is.EqualTo(2));
+            ClipSphere At(double place) => new ClipSphere(new PointMm(place, place, place), 1, SegmentMask.All(1));
+            DirtyBrickSet dirty = Between(new[] { At(20) }, new[] { At(4) }, geometry, CutMode.Binary, 0);
+            var packed = new uint[3];
+            dirty.PackInto(packed);
+            Assert.That(packed, Is.EqualTo(new[] { BrickGrid.Pack(0, 0, 0), BrickGrid.Pack(2, 2, 2), 0u }));
+            Assert.That(() => dirty.PackInto(new uint[1]), Throws.InstanceOf<ArgumentException>());
         }
 
         [Test]
@@ -130,6 +155,16 @@ namespace AnatomyCarve.Tests.Carving
             BrickGrid.Unpack(BrickGrid.Pack(1023, 512, 7), out int x, out int y, out int z);
             Assert.That(new[] { x, y, z }, Is.EqualTo(new[] { 1023, 512, 7 }));
             Assert.That(() => new BrickGrid(8193, 1, 1), Throws.InstanceOf<ArgumentOutOfRangeException>());
+        }
+
+        static DirtyBrickSet Set(VolumeGeometry geometry) => new DirtyBrickSet(new BrickGrid(geometry), new CentredGrid(geometry));
+
+        static DirtyBrickSet Between(
+            IReadOnlyList<ClipSphere> before, IReadOnlyList<ClipSphere> after, VolumeGeometry geometry, CutMode cut, int haloVoxels)
+        {
+            DirtyBrickSet dirty = Set(geometry);
+            dirty.Compute(before, after, cut, haloVoxels);
+            return dirty;
         }
 
         static List<ClipSphere> Edited(RandomScenes scenes, VolumeGeometry geometry, List<ClipSphere> spheres)
