@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using System.Text.RegularExpressions;
 using AnatomyCarve.Headless.Cli.Files;
 using AnatomyCarve.Volumes;
 
@@ -15,7 +16,7 @@ namespace AnatomyCarve.Headless.Cli
         public static (string Message, int Code) Describe(Exception exception) => exception switch
         {
             AggregateException { InnerExceptions.Count: 1 } aggregate => Describe(aggregate.InnerExceptions[0]),
-            OperationCanceledException => ("interrupted, nothing was written", Interrupted),
+            OperationCanceledException => ("interrupted; nothing was written", Interrupted),
             CommandException command => (OneLine(command.Message), BadInput),
             PictureFileException or AnatomyCarveException => (OneLine(exception.Message), BadInput),
             FileNotFoundException { FileName: { } file } => ($"{file}: there is no such file.", BadInput),
@@ -27,8 +28,10 @@ namespace AnatomyCarve.Headless.Cli
             _ => ($"unexpected {exception.GetType().Name}: {OneLine(exception.Message)}", BadInput),
         };
 
+        /// <summary>The text without line breaks and without the name of a parameter, which says nothing to a user.</summary>
         public static string OneLine(string text) =>
-            string.Join(' ', text.Split((char[])['\r', '\n'], StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries));
+            string.Join(' ', Regex.Replace(text, @" \(Parameter '\w*'\)", "")
+                .Split((char[])['\r', '\n'], StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries));
     }
 
     /// <summary>A command can't do what it was asked for; the message is one line for the user.</summary>

@@ -1,6 +1,7 @@
 using System;
 using System.CommandLine;
 using System.IO;
+using System.Linq;
 using System.Threading;
 using System.Threading.Tasks;
 using AnatomyCarve.Headless.Cli.Commands;
@@ -13,7 +14,11 @@ namespace AnatomyCarve.Headless.Cli
     /// </summary>
     static class Program
     {
-        static Task<int> Main(string[] arguments) => RunAsync(arguments, Console.Out, Console.Error);
+        static async Task<int> Main(string[] arguments)
+        {
+            using var interrupts = new Interrupts();
+            return await RunAsync(arguments, Console.Out, Console.Error);
+        }
 
         /// <summary>Runs one command line, as the process would, and returns its exit code.</summary>
         internal static async Task<int> RunAsync(string[] arguments, TextWriter output, TextWriter error, CancellationToken cancellation = default)
@@ -30,13 +35,19 @@ namespace AnatomyCarve.Headless.Cli
             var parsed = root.Parse(arguments);
             if (parsed.Errors.Count > 0)
             {
-                error.WriteLine($"carve: {Failure.OneLine(parsed.Errors[0].Message)} (see carve --help)");
+                error.WriteLine($"carve: {Failure.OneLine(Problem(parsed))} (see carve --help)");
                 return Failure.Usage;
             }
 
             try
             {
-                var configuration = new InvocationConfiguration { EnableDefaultExceptionHandler = false, Output = output, Error = error };
+                var configuration = new InvocationConfiguration
+                {
+                    EnableDefaultExceptionHandler = false,
+                    ProcessTerminationTimeout = null,
+                    Output = output,
+                    Error = error,
+                };
                 return await parsed.InvokeAsync(configuration, cancellation);
             }
             catch (Exception exception)
@@ -46,5 +57,10 @@ namespace AnatomyCarve.Headless.Cli
                 return code;
             }
         }
+
+        // What was not understood says more than what is missing because of it.
+        static string Problem(ParseResult parsed) =>
+            parsed.Errors.Select(problem => problem.Message).FirstOrDefault(message => parsed.UnmatchedTokens.Any(message.Contains))
+            ?? parsed.Errors[0].Message;
     }
 }

@@ -40,7 +40,14 @@ namespace AnatomyCarve
             LabelMap labels = LabelMap.FromVolumeData(data, cancellationToken, new Share(progress, 1f - ConvertLabels, ConvertLabels))
                 .OnGridOf(intensity.Geometry);
             Add(warnings, labelsPath, data.Warnings.Concat(labels.Warnings));
-            return Prepared(new SegmentedVolume(intensity, labels, warnings));
+            try
+            {
+                return Prepared(new SegmentedVolume(intensity, labels, warnings));
+            }
+            catch (VolumeMismatchException problem)
+            {
+                throw new VolumeMismatchException($"{labelsPath} and {intensityPath}: {problem.Message}");
+            }
         }
 
         /// <summary>Computes here what the main thread would wait for otherwise.</summary>

@@ -5,6 +5,7 @@ using System.IO;
 using System.Linq;
 using System.Text.Json;
 using System.Threading.Tasks;
+using AnatomyCarve.Headless.Cli.Files;
 
 namespace AnatomyCarve.Headless.Cli.Commands
 {
@@ -61,6 +62,7 @@ namespace AnatomyCarve.Headless.Cli.Commands
         static T Read<T>(string path)
             where T : class
         {
+            InputFile.Check(path);
             T file;
             try
             {

@@ -8,6 +8,7 @@ using System.Text.Json.Nodes;
 using System.Threading;
 using System.Threading.Tasks;
 using AnatomyCarve.Formats;
+using AnatomyCarve.Headless.Cli.Files;
 using AnatomyCarve.Volumes;
 
 namespace AnatomyCarve.Headless.Cli.Commands
@@ -28,6 +29,7 @@ namespace AnatomyCarve.Headless.Cli.Commands
                 new Command("info", "Prints what the readers see in a file: geometry in patient millimetres, values, segments.") { file, json, noProgress };
             command.SetAction((parsed, cancellation) =>
             {
+                InputFile.Check(parsed.GetValue(file));
                 var output = parsed.InvocationConfiguration.Output;
                 var volume = ProgressBars.Show(parsed.InvocationConfiguration.Error, !parsed.GetValue(noProgress), bars =>
                     bars.Step($"reading {Path.GetFileName(parsed.GetValue(file))}",

@@ -48,7 +48,8 @@ namespace AnatomyCarve.Headless.Cli.Commands
                 DefaultValueFactory = _ => "balanced",
                 Description =
                     "How finely rays are sampled, cuts smoothed and opacity filtered. " + string.Join("; ", RenderQuality.Names.Select(Describe)) + "; "
-                    + "a step is counted in smallest voxel spacings.",
+                    + "a step is counted in smallest voxel spacings. Balanced, the default, cuts whole voxels, exactly by Eq. 1 (binary); best lets cuts go "
+                    + "through voxels (smooth), the demo is rendered with it.",
             };
             quality.AcceptOnlyFromAmong(RenderQuality.Names);
             var cut = new Option<string>("--cut")
@@ -56,6 +57,12 @@ namespace AnatomyCarve.Headless.Cli.Commands
                 Description = "Cut whole voxels (binary), or let a cut go through them (smooth). Without it as the quality has it.",
             };
             cut.AcceptOnlyFromAmong("binary", "smooth");
+            var antiAliasing = new Option<float?>("--anti-aliasing")
+            {
+                HelpName = "0..1",
+                CustomParser = ParseShare,
+                Description = "How much of the 3D anti-aliasing of cuts is applied, from 0 (none) to 1. Without it as the quality has it.",
+            };
             var background = new Option<SegmentColor>("--background")
             {
                 HelpName = "#RRGGBB",
@@ -76,7 +83,7 @@ namespace AnatomyCarve.Headless.Cli.Commands
 
             var command = new Command("render", "Renders a volume, carved, to a PNG. Files are written when all of it is done, or not at all.")
             {
-                volume, labels, transfer, carving, camera, size, quality, cut, background, output, depth, segments, report, noProgress,
+                volume, labels, transfer, carving, camera, size, quality, cut, antiAliasing, background, output, depth, segments, report, noProgress,
             };
             command.SetAction((parsed, cancellation) =>
             {
@@ -90,6 +97,7 @@ namespace AnatomyCarve.Headless.Cli.Commands
                     Size = parsed.GetValue(size),
                     QualityName = parsed.GetValue(quality),
                     Cut = parsed.GetValue(cut) switch { "binary" => CutMode.Binary, "smooth" => CutMode.Smooth, _ => null },
+                    AntiAliasing = parsed.GetValue(antiAliasing),
                     Background = parsed.GetValue(background),
                     OutputPath = parsed.GetValue(output),
                     DepthPath = parsed.GetValue(depth),
@@ -129,12 +137,26 @@ namespace AnatomyCarve.Headless.Cli.Commands
         {
             var text = result.GetValueOrDefault<string>();
             if (File.Exists(text)) return;
+            if (Directory.Exists(text))
+            {
+                result.AddError($"--camera \"{text}\": this is a folder, not a file to read.");
+                return;
+            }
+
             var (orbit, problem) = OrbitText.Read(text);
             if (problem != null) result.AddError($"--camera \"{text}\": {problem}");
             else if (orbit == null && !text.EndsWith(".json", StringComparison.OrdinalIgnoreCase))
             {
                 result.AddError($"--camera \"{text}\": neither a file nor AZIMUTH,ELEVATION[,FOV] in degrees.");
             }
+        }
+
+        static float? ParseShare(ArgumentResult result)
+        {
+            var text = result.Tokens[0].Value;
+            if (float.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out var share) && share is >= 0 and <= 1) return share;
+            result.AddError($"--anti-aliasing \"{text}\": expected a number from 0 to 1.");
+            return default;
         }
 
         static SegmentColor ParseColor(ArgumentResult result)

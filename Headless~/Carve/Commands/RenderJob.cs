@@ -15,10 +15,7 @@ namespace AnatomyCarve.Headless.Cli.Commands
         public static void Run(RenderRequest request, TextWriter output, TextWriter error, bool showProgress, CancellationToken cancellation)
         {
             foreach (var path in request.OutputPaths) OutputSet.Check(path);
-            foreach (var path in request.InputPaths)
-            {
-                if (!File.Exists(path)) throw new CommandException($"{path}: there is no such file.");
-            }
+            foreach (var path in request.InputPaths) InputFile.Check(path);
 
             // What can be refused at once is read first: starting the engine and reading volumes takes seconds.
             var orbit = File.Exists(request.CameraText) ? null : OrbitText.Read(request.CameraText).Camera;
@@ -51,6 +48,7 @@ namespace AnatomyCarve.Headless.Cli.Commands
         {
             scene.Renderer.Quality = RenderQuality.Named(request.QualityName);
             if (request.Cut is { } cut) scene.Renderer.Quality.CutMode = cut;
+            if (request.AntiAliasing is { } antiAliasing) scene.Renderer.Quality.AntiAliasing = antiAliasing;
             scene.Renderer.TransferFunction = transferFunction;
             scene.Renderer.CountSamples = request.ReportPath != null;
             if (request.CarvingPath != null) scene.Stack.Load(Path.GetFullPath(request.CarvingPath));
@@ -77,11 +75,21 @@ namespace AnatomyCarve.Headless.Cli.Commands
             outputs.Commit();
         }
 
-        static OpacityTransferFunction ReadTransferFunction(string text) =>
-            text == null ? null
-            : File.Exists(text) ? TransferFunctionFile.Read(text)
-            : text.Contains(':') ? OpacityTransferFunction.Parse(text)
-            : throw new CommandException($"--tf \"{text}\": neither a file nor value:opacity,value:opacity,...");
+        static OpacityTransferFunction ReadTransferFunction(string text)
+        {
+            if (text == null) return null;
+            if (File.Exists(text)) return TransferFunctionFile.Read(text);
+            if (Directory.Exists(text)) throw new CommandException($"--tf \"{text}\": this is a folder, not a file to read.");
+            if (!text.Contains(':')) throw new CommandException($"--tf \"{text}\": neither a file nor value:opacity,value:opacity,...");
+            try
+            {
+                return OpacityTransferFunction.Parse(text);
+            }
+            catch (AnatomyCarveException exception)
+            {
+                throw new CommandException($"--tf: {exception.Message}");
+            }
+        }
 
         static void AddPictures(OutputSet outputs, RenderRequest request, PictureData picture)
         {

@@ -25,6 +25,8 @@ namespace AnatomyCarve.Headless.Cli.Commands
 
         public CutMode? Cut { get; init; }
 
+        public float? AntiAliasing { get; init; }
+
         public required SegmentColor Background { get; init; }
 
         public required string OutputPath { get; init; }

@@ -1,6 +1,7 @@
 using System.IO;
 using System.Text.Json;
 using System.Text.Json.Nodes;
+using AnatomyCarve.Headless.Cli.Files;
 
 namespace AnatomyCarve.Headless.Cli.Commands
 {
@@ -14,7 +15,7 @@ namespace AnatomyCarve.Headless.Cli.Commands
         /// <exception cref="CommandException">There is no such file, or it is none of these.</exception>
         public static RenderingFiles Find(string path)
         {
-            if (!File.Exists(path)) throw new CommandException($"{path}: there is no such file.");
+            InputFile.Check(path);
             return Path.GetExtension(path).ToLowerInvariant() switch
             {
                 ".png" or ".pfm" or ".pgm" => new RenderingFiles(Beside(path, ".png"), Beside(path, ".pfm"), Beside(path, ".pgm")),

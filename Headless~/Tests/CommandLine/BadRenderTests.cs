@@ -32,12 +32,17 @@ namespace AnatomyCarve.Headless.Tests.CommandLine
 
         [TestCase("no JSON", "not a camera")]
         [TestCase("{}", "space")]
-        [TestCase("""{"space": "MNI", "eyeMm": [23, -181, 15], "targetMm": [23, 19, 15], "up": [0, 0, 1], "verticalFovDegrees": 20}""", "space")]
-        [TestCase("""{"space": "LPS", "eyeMm": [23, -181], "targetMm": [23, 19, 15], "up": [0, 0, 1], "verticalFovDegrees": 20}""", "eyeMm")]
+        [TestCase("""{"space": "MNI", "eyeMm": [23, -181, 15], "targetMm": [23, 19, 15], "up": [0, 0, 1], "verticalFovDegrees": 20}""", "\"space\" is \"MNI\"")]
+        [TestCase("""{"space": "LPS", "eyeMm": [23, -181], "targetMm": [23, 19, 15], "up": [0, 0, 1], "verticalFovDegrees": 20}""", "\"eyeMm\" is [23,-181]")]
         [TestCase("""{"space": "LPS", "eyeMm": [23, -181, 15], "targetMm": [23, -181, 15], "up": [0, 0, 1], "verticalFovDegrees": 20}""", "same point")]
         [TestCase("""{"space": "LPS", "eyeMm": [23, -181, 15], "targetMm": [23, 19, 15], "up": [0, 2, 0], "verticalFovDegrees": 20}""", "up")]
-        [TestCase("""{"space": "LPS", "eyeMm": [23, -181, 15], "targetMm": [23, 19, 15], "up": [0, 0, 1], "verticalFovDegrees": 180}""", "verticalFovDegrees")]
-        [TestCase("""{"space": "LPS", "eyeMm": [23, -181, 15], "targetMm": [23, 19, 15], "up": [0, 0, 1]}""", "verticalFovDegrees")]
+        [TestCase("""{"space": "LPS", "eyeMm": [23, -181, 15], "targetMm": [23, 19, 15], "up": [0, 0, 1], "verticalFovDegrees": 180}""",
+            "\"verticalFovDegrees\" is 180")]
+        [TestCase("""{"space": "LPS", "eyeMm": [23, -181, 15], "targetMm": [23, 19, 15], "up": [0, 0, 1]}""", "missing")]
+        [TestCase("""{"space": "LPS", "eyeMm": [1e300, 0, 0], "targetMm": [23, 19, 15], "up": [0, 0, 1], "verticalFovDegrees": 20}""", "1E+300")]
+        [TestCase("""{"space": "LPS", "eyeMm": [NaN, 0, 0], "targetMm": [23, 19, 15], "up": [0, 0, 1], "verticalFovDegrees": 20}""", "NaN")]
+        [TestCase(Camera + " {}", "not a camera")]
+        [TestCase(Camera + " and more", "not a camera")]
         public void Render_WithBadCamera_IsRefused(string json, string culprit) =>
             IsRefused(culprit, Carve.InProcess, null, "--camera", folder.Write("camera.json", json));
 
@@ -45,7 +50,20 @@ namespace AnatomyCarve.Headless.Tests.CommandLine
         [TestCase("0:0,100")]
         [TestCase("0:zero,100:1")]
         [TestCase("0:0,100:7")]
-        public void Render_WithBadTransferFunction_IsRefused(string text) => IsRefused("", Carve.InProcess, null, "--tf", text);
+        public void Render_WithBadTransferFunction_IsRefused(string text) => IsRefused("--tf", Carve.InProcess, null, "--tf", text);
+
+        [Test]
+        public void Render_OfAFolder_SaysSo() => IsRefused("this is a folder", Carve.InProcess, folder.Path);
+
+        [Test]
+        public void Render_WithAFolderAsTransferFunction_SaysSo() => IsRefused("this is a folder", Carve.InProcess, null, "--tf", folder.Path);
+
+        [Test]
+        public void Render_IntoAFolderThatTakesNoFiles_IsRefusedByTheOutputsName()
+        {
+            if (!Directory.Exists("/proc")) Assert.Ignore("There is no folder here that takes no files of anyone.");
+            IsRefused("/proc/depth.pfm", Carve.InProcess, null, "--depth", "/proc/depth.pfm");
+        }
 
         [Test]
         public void Render_IntoMissingFolder_IsRefused() =>
@@ -63,8 +81,13 @@ namespace AnatomyCarve.Headless.Tests.CommandLine
         public void Render_OfSomethingElse_IsRefused() => IsRefused("text.nrrd", Carve.Process, folder.Write("text.nrrd", "this is no volume"));
 
         [Test]
+        public void Render_WithoutVulkanDriver_SaysSo() =>
+            IsRefused("No Vulkan driver is installed", arguments => Carve.Process(arguments, ("VK_DRIVER_FILES", "/none"), ("VK_ICD_FILENAMES", "/none")));
+
+        [Test]
         public void Render_WithLabelsOfAnotherGrid_IsRefused() =>
-            IsRefused("", Carve.Process, null, "--labels", Phantom.WriteLabels(folder, "moved.seg.nrrd", originMm: 3));
+            IsRefused("moved.seg.nrrd and " + folder["volume.nrrd"], Carve.Process, null,
+                "--labels", Phantom.WriteLabels(folder, "moved.seg.nrrd", originMm: 3));
 
         [TestCase("""{"version": 99, "space": "LPS", "spheres": []}""")]
         [TestCase("""{"version": 1, "space": "LPS", "spheres": [{"centerMm": [0, 0, 0], "radiusMm": -1, "clipped": []}]}""")]
@@ -84,7 +107,7 @@ namespace AnatomyCarve.Headless.Tests.CommandLine
             Assert.That(result.ExitCode, Is.EqualTo(1), result.Error);
             Assert.That(result.ErrorLines, Has.Length.EqualTo(1), result.Error);
             Assert.That(result.Error, Does.StartWith("carve: ").And.Contain(culprit));
-            Assert.That(result.Error, Does.Not.Contain("unexpected"));
+            Assert.That(result.Error, Does.Not.Contain("unexpected").And.Not.Contain("(Parameter"));
             Assert.That(result.Output, Is.Empty);
             Assert.That(folder.FileNames, Is.EqualTo(before));
         }

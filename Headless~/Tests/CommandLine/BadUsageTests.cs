@@ -23,6 +23,9 @@ namespace AnatomyCarve.Headless.Tests.CommandLine
         [TestCase("render", "a.nrrd", "--output", "a.png", "--size", "-5x5", TestName = "BadUsage_NegativeSize_IsRefused")]
         [TestCase("render", "a.nrrd", "--output", "a.png", "--quality", "superb", TestName = "BadUsage_UnknownQuality_IsRefused")]
         [TestCase("render", "a.nrrd", "--output", "a.png", "--cut", "sharp", TestName = "BadUsage_UnknownCut_IsRefused")]
+        [TestCase("render", "a.nrrd", "--output", "a.png", "--anti-aliasing", "1.5", TestName = "BadUsage_AntiAliasingAbove1_IsRefused")]
+        [TestCase("render", "a.nrrd", "--output", "a.png", "--anti-aliasing", "nan", TestName = "BadUsage_AntiAliasingThatIsNoNumber_IsRefused")]
+        [TestCase("render", "a.nrrd", "--output", "a.png", "--camera", ".", TestName = "BadUsage_CameraThatIsAFolder_IsRefused")]
         [TestCase("render", "a.nrrd", "--output", "a.png", "--background", "blue", TestName = "BadUsage_BackgroundByName_IsRefused")]
         [TestCase("render", "a.nrrd", "--output", "a.png", "--camera", "12", TestName = "BadUsage_CameraOfOneAngle_IsRefused")]
         [TestCase("render", "a.nrrd", "--output", "a.png", "--camera", "0,91", TestName = "BadUsage_ElevationBeyondThePole_IsRefused")]
@@ -37,5 +40,8 @@ namespace AnatomyCarve.Headless.Tests.CommandLine
             Assert.That(result.ErrorLines[0], Does.StartWith("carve: "));
             Assert.That(result.Output, Is.Empty);
         }
+
+        [Test]
+        public void BadUsage_UnknownCommand_IsNamed() => Assert.That(Carve.InProcess("nothing").Error, Does.Contain("nothing"));
     }
 }

@@ -18,6 +18,9 @@ namespace AnatomyCarve.Headless.Tests.CommandLine
     /// <summary>Runs command lines: in this process where no engine is needed, in one of their own where it is.</summary>
     static class Carve
     {
+        /// <summary>The command line's program, for dotnet.</summary>
+        public static string Dll => typeof(Program).Assembly.Location;
+
         static readonly TimeSpan Patience = TimeSpan.FromMinutes(5);
 
         public static CarveResult InProcess(params string[] arguments)
@@ -27,10 +30,13 @@ namespace AnatomyCarve.Headless.Tests.CommandLine
             return new CarveResult(code, output.ToString(), error.ToString());
         }
 
-        public static CarveResult Process(params string[] arguments)
+        public static CarveResult Process(params string[] arguments) => Process(arguments, environment: []);
+
+        public static CarveResult Process(string[] arguments, params (string Name, string Value)[] environment)
         {
             var start = new ProcessStartInfo("dotnet") { RedirectStandardOutput = true, RedirectStandardError = true, UseShellExecute = false };
-            start.ArgumentList.Add(typeof(Program).Assembly.Location);
+            start.ArgumentList.Add(Dll);
+            foreach (var (name, value) in environment) start.Environment[name] = value;
             foreach (var argument in arguments) start.ArgumentList.Add(argument);
             using var process = System.Diagnostics.Process.Start(start);
             var output = process.StandardOutput.ReadToEndAsync();

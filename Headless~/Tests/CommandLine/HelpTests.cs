@@ -22,12 +22,13 @@ namespace AnatomyCarve.Headless.Tests.CommandLine
             Assert.That(result.ExitCode, Is.Zero);
             foreach (var option in new[]
             {
-                "--labels", "--tf", "--carving", "--camera", "--size", "--quality", "--cut", "--background", "--output",
+                "--labels", "--tf", "--carving", "--camera", "--size", "--quality", "--cut", "--anti-aliasing", "--background", "--output",
                 "--depth", "--segments", "--report", "--no-progress",
             })
                 Assert.That(result.Output, Does.Match($@"(?m)^\s+{option}\b.*\s\w+"), option);
             Assert.That(result.Output, Does.Contain("AZIMUTH,ELEVATION"));
             Assert.That(result.Output, Does.Match(@"fast:\s+step\s+1,\s+binary\s+cuts,\s+hardware\s+filter"));
+            Assert.That(result.Output, Does.Match(@"balanced:\s+step\s+0\.5,\s+binary\s+cuts").And.Match(@"exactly\s+by\s+Eq\.\s+1"));
             Assert.That(result.Output, Does.Contain("balanced|best|fast").Or.Contain("fast|balanced|best"));
         }
 

@@ -167,6 +167,15 @@ namespace AnatomyCarve.Headless.Tests.CommandLine
         }
 
         [Test]
+        public void Render_WithAntiAliasing_UsesIt()
+        {
+            Assert.That((double)report["quality"]["antiAliasing"], Is.EqualTo(1));
+            Render("half", "--anti-aliasing", "0.5");
+
+            Assert.That((double)JsonNode.Parse(File.ReadAllText(folder["half.json"]))["quality"]["antiAliasing"], Is.EqualTo(0.5));
+        }
+
+        [Test]
         public void Render_OfOddFiles_SaysSoOnTheErrorStreamAndInTheReport()
         {
             folder.Write("foreign.json", """
