@@ -96,10 +96,15 @@ namespace AnatomyCarve.Volumes
             double storedStep = data.VoxelType.IsFloat() ? 0 : Math.Abs(data.Slope);
             double scale = range.CodeStep(storedStep);
             bool isExact = scale == 1 || scale == storedStep;
-            bool isNarrowed = !isExact && typical.TryFind(out double low, out double high) && scale > CoarsestStep * (high - low)
-                && Narrow(ref minimum, ref maximum, low, high);
-            if (isNarrowed)
+            bool isNarrowed = false;
+            if (!isExact && typical.TryFind(out double low, out double high) && scale > CoarsestStep * (high - low))
+            {
+                double margin = MarginInTypicalRanges * (high - low);
+                minimum = Math.Max(minimum, low - margin);
+                maximum = Math.Min(maximum, high + margin);
                 scale = (maximum - minimum) / ushort.MaxValue;
+                isNarrowed = true;
+            }
             long beyond = 0;
             var codes = new ushort[data.Geometry.VoxelCount];
             ComponentBlocks.ForEach(data, component, cancellation, (values, start, count) =>
@@ -115,14 +120,6 @@ namespace AnatomyCarve.Volumes
                 }
                 : null;
             return new IntensityVolume(data.Geometry, codes, minimum, scale, maximum, warnings);
-        }
-
-        static bool Narrow(ref double minimum, ref double maximum, double low, double high)
-        {
-            double margin = MarginInTypicalRanges * (high - low);
-            minimum = Math.Max(minimum, low - margin);
-            maximum = Math.Min(maximum, high + margin);
-            return true;
         }
 
         /// <returns>How many finite values lie outside of minimum to maximum.</returns>

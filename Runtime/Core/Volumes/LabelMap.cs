@@ -69,11 +69,12 @@ namespace AnatomyCarve.Volumes
                 throw new ArgumentNullException(nameof(grid));
             if (Geometry.Matches(grid, out _) || !(LatticeMap.Find(grid, Geometry, SegmentedVolume.GeometryToleranceMm) is LatticeMap lattice))
                 return this;
-            var moved = new LabelMap(grid, lattice.Gather(Indices, Geometry, grid), Segments, Warnings);
-            long lost = Indices.LongCount(index => index != 0) - moved.Indices.LongCount(index => index != 0);
-            return lost == 0
-                ? moved
-                : new LabelMap(grid, moved.Indices, Segments, Warnings.Append(FormattableString.Invariant($"{lost} labelled voxels lie outside the scan.")));
+            ushort[] moved = lattice.Gather(Indices, Geometry, grid);
+            long lost = Indices.LongCount(index => index != 0) - moved.LongCount(index => index != 0);
+            IEnumerable<string> warnings = lost == 0
+                ? Warnings
+                : Warnings.Append(FormattableString.Invariant($"{lost} labelled voxels lie outside the scan."));
+            return new LabelMap(grid, moved, Segments, warnings);
         }
 
         /// <summary>How many voxels each segment has.</summary>

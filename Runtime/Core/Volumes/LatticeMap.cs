@@ -4,7 +4,7 @@ namespace AnatomyCarve.Volumes
 {
     /// <summary>
     /// How the voxels of one grid are found in another that shares its lattice: one is a part of the other, or its axes run in another order or
-    /// direction. No voxel moves; segmentations saved cropped, or in another orientation than their scan, differ so.
+    /// direction. No voxel moves and none is skipped; segmentations saved cropped, or in another orientation than their scan, differ so.
     /// </summary>
     sealed class LatticeMap
     {
@@ -21,6 +21,22 @@ namespace AnatomyCarve.Volumes
             }
         }
 
+        /// <summary>Whether each axis of one grid is one of the other's, forwards or backwards; else one of the grids is coarser, or slanted.</summary>
+        bool IsSignedPermutation
+        {
+            get
+            {
+                for (int n = 0; n < 3; n++)
+                {
+                    int inRow = Math.Abs(matrix[n, 0]) + Math.Abs(matrix[n, 1]) + Math.Abs(matrix[n, 2]);
+                    int inColumn = Math.Abs(matrix[0, n]) + Math.Abs(matrix[1, n]) + Math.Abs(matrix[2, n]);
+                    if (inRow != 1 || inColumn != 1)
+                        return false;
+                }
+                return true;
+            }
+        }
+
         /// <summary>Finds the map from one grid's voxel indices to another's; null where they don't share a lattice.</summary>
         /// <param name="grid">The grid whose voxels are looked for.</param>
         /// <param name="other">The grid where they are looked for.</param>
@@ -33,6 +49,8 @@ namespace AnatomyCarve.Volumes
                     if (!(Math.Abs(gridToOther[row, col]) < 1e6))
                         return null;
             var map = new LatticeMap(gridToOther);
+            if (!map.IsSignedPermutation)
+                return null;
             Affine placed = other.IjkToLps * map.ToAffine();
             double distanceMm = VolumeGeometry.LargestCornerDistanceMm(placed, grid.IjkToLps, grid.SizeI, grid.SizeJ, grid.SizeK);
             return distanceMm <= toleranceMm ? map : null;

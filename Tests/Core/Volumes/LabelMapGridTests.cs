@@ -67,6 +67,18 @@ namespace AnatomyCarve.Tests.Volumes
             Assert.That(() => new SegmentedVolume(intensity, map), Throws.TypeOf<VolumeMismatchException>());
         }
 
+        [TestCase(0.5)]
+        [TestCase(2.0)]
+        public static void OnGridOf_MapOfAnotherResolution_IsLeftForTheVolumeToRefuse(double spacingFactor)
+        {
+            // Every voxel of the coarser grid coincides with one of the finer grid; taking those alone would drop the rest without a word.
+            var scale = Affine.FromColumns(
+                new VectorMm(spacingFactor, 0, 0), new VectorMm(0, spacingFactor, 0), new VectorMm(0, 0, spacingFactor), new PointMm(0, 0, 0));
+            LabelMap map = Numbered(new VolumeGeometry(7, 5, 4, ScanToLps * scale));
+
+            Assert.That(map.OnGridOf(Scan), Is.SameAs(map));
+        }
+
         static Affine Moved(Affine ijkToLps, double i, double j, double k) => Affine.FromColumns(
             ijkToLps.Column(0), ijkToLps.Column(1), ijkToLps.Column(2), ijkToLps.TransformPoint(new PointMm(i, j, k)));
 
