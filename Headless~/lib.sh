@@ -92,6 +92,14 @@ ensure_cultures() {
     ensure_packages '^libicu[0-9]+$' lib:libicuuc.so
 }
 
+# The same for what does not depend on cultures: it goes on without them.
+prefer_cultures() {
+    (ensure_cultures) || {
+        say "going on without it"
+        export DOTNET_SYSTEM_GLOBALIZATION_INVARIANT=1
+    }
+}
+
 # build PROJECT [ARGUMENT ...]: builds a project of Headless~ in Release; what the compiler says is shown only if it fails.
 build() {
     quietly 200 dotnet build "$headless/$1" --configuration Release --verbosity quiet -nologo "${@:2}" || fail "building $1 failed"
@@ -100,8 +108,8 @@ build() {
 # build_if_changed PROJECT: the same, but only if a source is newer than the last time. Starting dotnet to find that out takes seconds.
 build_if_changed() {
     local stamp="$artifacts/built-${1//\//-}"
-    if [[ -e "$stamp" ]] && [[ -z "$(find "$headless" "$repo/Runtime" -path "$artifacts" -prune -o -path "$headless/out" -prune \
-        -o \( -name '*.cs' -o -name '*.csproj' -o -name '*.props' -o -name '*.targets' -o -type d \) -newer "$stamp" -print -quit)" ]]; then
+    if [[ -e "$stamp" ]] && [[ -z "$(find "$headless" "$repo/Runtime" "$repo/Editor" -path "$artifacts" -prune -o -path "$headless/out" -prune \
+        -o \( -name '*.cs' -o -name '*.csproj' -o -name '*.props' -o -name '*.targets' -o -path '*/ShaderLibrary/*' -o -type d \) -newer "$stamp" -print -quit)" ]]; then
         return
     fi
     say "building ..."

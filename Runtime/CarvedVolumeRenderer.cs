@@ -3,15 +3,20 @@ using AnatomyCarve.Carving;
 using AnatomyCarve.Picking;
 using AnatomyCarve.Volumes;
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace AnatomyCarve
 {
     /// <summary>
-    /// Makes pictures of the volume on its GameObject, carved as it is at that moment: for any number of cameras, or for rays of one's own.
-    /// Only what changed since the last picture is computed again. Disabling it frees all GPU memory.
+    /// Shows a volume at its GameObject's place, carved as it is at that moment: in every camera that sees its layer, and in pictures made on demand. Only
+    /// what changed since the last picture is computed again, before the frame's pictures are drawn. Disabling it frees all GPU memory. Mesh and material
+    /// of the MeshRenderer beside it are its own.
     /// </summary>
     [AddComponentMenu("AnatomyCarve/Carved Volume Renderer")]
     [DisallowMultipleComponent]
+    [ExecuteAlways]
+    [RequireComponent(typeof(MeshFilter), typeof(MeshRenderer))]
+    [ManualPage("components")]
     public sealed class CarvedVolumeRenderer : MonoBehaviour
     {
         [SerializeField, Tooltip("The volume to show; empty = the one on this GameObject")]
@@ -20,65 +25,67 @@ namespace AnatomyCarve
         [SerializeField, Tooltip("The carving to show; empty = the one on this GameObject; none = the whole volume")]
         ClipSphereStack stack;
 
+        [SerializeField, Tooltip("Draw the volume in cameras that see this GameObject's layer. Off: only pictures made by Render")]
+        bool drawInCameras = true;
+
         [SerializeField, Tooltip("Step, cuts and anti-aliasing")]
         RenderQuality quality = RenderQuality.Balanced();
 
         [SerializeField, Tooltip("The light that the volume is shaded with")]
         LightSettings shading = new LightSettings();
 
+        [SerializeField, Tooltip("Transfer function and segments that look other than the volume says")]
+        VolumeAppearance appearance = new VolumeAppearance();
+
+        [SerializeField, Tooltip("How the volume lies in textures. Automatic asks the device; Portable helps where a driver claims more than it can")]
+        TextureLayout layout = TextureLayout.Automatic;
+
         readonly GpuSlot gpu = new GpuSlot(new RenderStatistics());
         readonly VolumeSettings settings = new VolumeSettings();
         readonly FieldCache field = new FieldCache();
+        MeshFilter meshFilter;
+        MeshRenderer meshRenderer;
 
         /// <summary>The volume that is shown: the one that was set, or else the one on this GameObject. Null if there is none.</summary>
-        public VolumeLoader Loader
-        {
-            get => this.WiredOrSibling(ref loader);
-            set => loader = value;
-        }
+        public VolumeLoader Loader { get => this.WiredOrSibling(ref loader); set => loader = value; }
 
         /// <summary>The carving that is shown: the one that was set, or else the one on this GameObject. Null = the whole volume is shown.</summary>
-        public ClipSphereStack Stack
-        {
-            get => this.WiredOrSibling(ref stack);
-            set => stack = value;
-        }
+        public ClipSphereStack Stack { get => this.WiredOrSibling(ref stack); set => stack = value; }
 
         /// <summary>The volume; null while none is loaded.</summary>
         public SegmentedVolume Volume => Loader != null ? Loader.Volume : null;
 
+        /// <summary>Whether cameras draw the volume; they need the Built-in or the Universal Render Pipeline.</summary>
+        public bool DrawInCameras { get => drawInCameras; set => drawInCameras = value; }
+
+        /// <summary>How volumes look: saved with the scene, and kept when another volume is loaded.</summary>
+        public VolumeAppearance Appearance => appearance;
+
         /// <summary>Opacity by intensity. Unless set, one is derived from each volume's intensities; null goes back to that.</summary>
         public OpacityTransferFunction TransferFunction
         {
-            get => settings.TransferFunctionFor(Volume);
-            set => settings.TransferFunction = value;
+            get => appearance.TransferFunction ?? Volume?.AutomaticTransferFunction;
+            set => appearance.TransferFunction = value;
         }
 
         /// <summary>
-        /// The segments as they are shown, with colours and opacities; null while no volume is loaded. Another volume starts with its own table.
+        /// The segments as they are shown, with colours and opacities; null while no volume is loaded. A table that is set here stays until another volume is
+        /// loaded, and is not saved; null goes back to what the volume and <see cref="Appearance"/> say.
         /// </summary>
         /// <exception cref="ArgumentException">The table has another number of segments than the volume.</exception>
-        public SegmentTable Segments
-        {
-            get => settings.SegmentsFor(Volume);
-            set => settings.SetSegments(Volume, value);
-        }
+        public SegmentTable Segments { get => settings.SegmentsFor(Volume, appearance); set => settings.SetSegments(Volume, value); }
 
         /// <summary>Step, cuts and anti-aliasing. Changes of its properties take effect with the next picture.</summary>
         /// <exception cref="ArgumentNullException">The value is null.</exception>
-        public RenderQuality Quality
-        {
-            get => quality;
-            set => quality = value ?? throw new ArgumentNullException(nameof(value));
-        }
+        public RenderQuality Quality { get => quality; set => quality = value ?? throw new ArgumentNullException(nameof(value)); }
 
         /// <summary>The light that the volume is shaded with. Changes of its properties take effect with the next picture.</summary>
         /// <exception cref="ArgumentNullException">The value is null.</exception>
-        public LightSettings Light
-        {
-            get => shading;
-            set => shading = value ?? throw new ArgumentNullException(nameof(value));
-        }
+        public LightSettings Light { get => shading; set => shading = value ?? throw new ArgumentNullException(nameof(value)); }
+
+        /// <summary>How the volume lies in textures; pictures are the same in each layout. A change takes the volume to the GPU anew.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">No such layout.</exception>
+        public TextureLayout Layout { get => layout; set => layout = SettingRange.Defined(value, nameof(Layout)); }
 
         /// <summary>Whether pictures count the samples that their rays take; see <see cref="CarvedPicture.ReadSampleCount"/>.</summary>
         public bool CountSamples { get; set; }
@@ -86,37 +93,38 @@ namespace AnatomyCarve
         /// <summary>What this renderer has done and what it holds on the GPU.</summary>
         public RenderStatistics Statistics => gpu.Statistics;
 
+        /// <summary>
+        /// Why the volume, or some way of showing it, is refused by the device or the render pipeline, as a sentence; null = all is well as far as it was
+        /// tried. It is also logged, once.
+        /// </summary>
+        public string Problem => gpu.Problem;
+
         /// <summary>The carved volume on the CPU, as it would be shown now; for pointers. Null while no volume is loaded.</summary>
-        public CarvedField Field
-        {
-            get
-            {
-                SegmentedVolume volume = Volume;
-                return volume == null ? null : field.Of(volume, CarvingOf(volume), TransferFunction, Segments, quality.CutMode, quality.AntiAliasSettings);
-            }
-        }
+        public CarvedField Field => field.Of(Inputs);
 
         /// <summary>How rays are marched and when a segment counts as visible, for pointers that find what the picture shows.</summary>
         public RaySettings RaySettings => quality.RaySettings;
+
+        VolumeInputs Inputs => Volume is { } volume
+            ? new VolumeInputs(volume, transform.localToWorldMatrix, CarvingOf(volume), TransferFunction, Segments, quality, shading)
+            : default;
 
         /// <summary>Makes a camera's picture. Each camera has a picture of its own, which is used again.</summary>
         /// <param name="camera">The camera; enabled or not.</param>
         /// <param name="width">Width in pixels; 0 = the camera's. Its projection is the camera's, so keep the camera's aspect.</param>
         /// <param name="height">Height in pixels; 0 = the camera's.</param>
-        /// <returns>The picture; null while there is nothing to show: no volume, a scale of 0, disabled, or a device that cannot (said once in the console,
-        /// and tried again after <see cref="ReleaseResources"/>).</returns>
+        /// <returns>The picture; null while there is nothing to show: no volume, a scale of 0, disabled, or a device that cannot (see <see cref="Problem"/>;
+        /// it is tried again after <see cref="ReleaseResources"/>).</returns>
         /// <exception cref="ArgumentNullException"><paramref name="camera"/> is null.</exception>
         public CarvedPicture Render(Camera camera, int width = 0, int height = 0)
         {
             if (camera == null)
                 throw new ArgumentNullException(nameof(camera));
-            Matrix4x4 volumeToWorld = Loader != null ? Loader.transform.localToWorldMatrix : Matrix4x4.identity;
-            VolumeGpu shown = VolumeSpace.WorldScale(volumeToWorld) == 0 ? null : Shown();
-            if (shown == null)
+            VolumeInputs inputs = Inputs;
+            if (!IsShown(inputs) || !inputs.HasExtent)
                 return null;
-            PictureRayBundle rays = CameraRays.Bundle(camera.projectionMatrix, camera.cameraToWorldMatrix, volumeToWorld, shown.Volume.Geometry,
-                width > 0 ? width : camera.pixelWidth, height > 0 ? height : camera.pixelHeight);
-            return Finish(shown, rays, shown.Pictures.Of(camera));
+            PictureRayBundle rays = CameraRays.Bundle(camera, inputs, width > 0 ? width : camera.pixelWidth, height > 0 ? height : camera.pixelHeight);
+            return gpu.Render(inputs, rays, CountSamples, gpu.Gpu.Pictures.Of(camera), this);
         }
 
         /// <summary>Makes the picture that rays of one's own see.</summary>
@@ -129,21 +137,37 @@ namespace AnatomyCarve
         {
             if (rays == null)
                 throw new ArgumentNullException(nameof(rays));
-            VolumeGpu shown = Shown();
-            return shown == null ? null : Finish(shown, new PictureRayBundle(rays), picture ?? shown.Pictures.OfRays());
+            VolumeInputs inputs = Inputs;
+            return IsShown(inputs) ? gpu.Render(inputs, new PictureRayBundle(rays), CountSamples, picture ?? gpu.Gpu.Pictures.OfRays(), this) : null;
         }
 
         /// <summary>Frees all GPU memory; the next picture takes it again. Pictures that this renderer returned are freed too.</summary>
         public void ReleaseResources() => gpu.Release();
 
+        void OnEnable()
+        {
+            TryGetComponent(out meshFilter);
+            TryGetComponent(out meshRenderer);
+            meshRenderer.shadowCastingMode = ShadowCastingMode.Off;
+            meshRenderer.receiveShadows = false;
+            Camera.onPreCull += BeforeCamera;
+            RenderPipelineManager.beginCameraRendering += BeforeCamera;
+        }
+
         void LateUpdate()
         {
-            KeepOnly(Volume);
+            SegmentedVolume volume = Volume; // a volume is large: none is held that is not shown
+            gpu.KeepOnly(volume);
+            field.KeepOnly(volume);
+            settings.KeepOnly(volume);
             gpu.Gpu?.Pictures.DropGone();
         }
 
         void OnDisable()
         {
+            Camera.onPreCull -= BeforeCamera;
+            RenderPipelineManager.beginCameraRendering -= BeforeCamera;
+            VolumeDrawing.Clear(meshFilter, meshRenderer);
             ReleaseResources();
             field.KeepOnly(null);
         }
@@ -152,32 +176,24 @@ namespace AnatomyCarve
         {
             quality?.Clamp();
             shading?.Clamp();
+            appearance?.Clamp();
         }
 
-        /// <summary>A volume is large: none is held that is not shown.</summary>
-        void KeepOnly(SegmentedVolume volume)
+        void BeforeCamera(ScriptableRenderContext context, Camera camera) => BeforeCamera(camera);
+
+        /// <summary>Called as a camera begins to render, after everything has moved and before it culls.</summary>
+        void BeforeCamera(Camera camera)
         {
-            gpu.KeepOnly(volume);
-            field.KeepOnly(volume);
-            settings.SegmentsFor(volume);
+            if (camera.cameraType == CameraType.Preview || (camera.cullingMask & 1 << gameObject.layer) == 0)
+                return;
+            VolumeInputs inputs = Inputs;
+            if (drawInCameras && inputs.Volume != null && inputs.HasExtent && IsShown(inputs))
+                gpu.ShowOn(meshFilter, meshRenderer, inputs, this);
+            else
+                VolumeDrawing.Clear(meshFilter, meshRenderer);
         }
 
-        CarvedPicture Finish(VolumeGpu shown, in PictureRayBundle rays, CarvedPicture picture)
-        {
-            try
-            {
-                shown.Update(CarvingOf(shown.Volume), TransferFunction, Segments, quality);
-                shown.Render(rays, quality, shading, CountSamples, picture);
-                return picture;
-            }
-            catch (AnatomyCarveException e)
-            {
-                gpu.Refuse(shown.Volume, e.Message, this);
-                return null;
-            }
-        }
-
-        VolumeGpu Shown() => isActiveAndEnabled ? gpu.For(Volume, this) : null;
+        bool IsShown(in VolumeInputs inputs) => isActiveAndEnabled && gpu.Update(inputs, layout, this) != null;
 
         CarvingSnapshot CarvingOf(SegmentedVolume volume) =>
             Stack != null && Stack.Carving != null && Stack.Loader.Volume == volume ? Stack.Carving.State : null;

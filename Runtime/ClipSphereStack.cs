@@ -7,15 +7,23 @@ using UnityEngine;
 namespace AnatomyCarve
 {
     /// <summary>
-    /// The carving of the volume on its GameObject, in world space: fixed clip spheres in order, and one active sphere. Each loaded volume
-    /// starts with an empty carving. What it does is done by <see cref="CarvingStack"/>, which speaks patient millimetres.
+    /// The carving of the volume at its GameObject's place, in world space: fixed clip spheres in order, and one active sphere. Each loaded volume starts with the
+    /// carving that is set in the Inspector, or with none. What it does is done by <see cref="CarvingStack"/>, which speaks patient millimetres.
     /// </summary>
     [AddComponentMenu("AnatomyCarve/Clip Sphere Stack")]
     [DisallowMultipleComponent]
+    [ExecuteAlways]
+    [ManualPage("components")]
     public sealed class ClipSphereStack : MonoBehaviour
     {
         [SerializeField, Tooltip("The volume to carve; empty = the one on this GameObject")]
         VolumeLoader loader;
+
+        [SerializeField, Tooltip("A carving file (JSON) that each volume starts with; empty = nothing is carved")]
+        TextAsset startFile;
+
+        [SerializeField, HideInInspector, Tooltip("What was carved in the Editor, as a carving file's text; comes before the start file")]
+        string startCarving = "";
 
         [SerializeField, Range(0.05f, 1f), Tooltip("Radius of the new active sphere when the active one is fixed, relative to the old one")]
         float activeRadiusFactor = CarvingStack.DefaultActiveRadiusFactor;
@@ -23,6 +31,7 @@ namespace AnatomyCarve
         [SerializeField, Min(0), Tooltip("How many edits can be undone")]
         int historyLimit = CarvingStack.DefaultHistoryLimit;
 
+        readonly StartCarving start = new StartCarving();
         SegmentedVolume carved;
         CarvingStack carving;
         CarvingDocument loaded;
@@ -31,23 +40,25 @@ namespace AnatomyCarve
         public event Action<CarvingChange> Changed;
 
         /// <summary>The volume that is carved: the one that was set, or else the one on this GameObject. Null if there is none.</summary>
-        public VolumeLoader Loader
-        {
-            get => this.WiredOrSibling(ref loader);
-            set => loader = value;
-        }
+        public VolumeLoader Loader { get => this.WiredOrSibling(ref loader); set => loader = value; }
 
-        /// <summary>The carving; null while no volume is loaded, and another one for each volume.</summary>
+        /// <summary>
+        /// The carving; null while no volume is loaded, and another one for each volume. In the Editor, outside Play, also another one when what volumes
+        /// start with was changed.
+        /// </summary>
         public CarvingStack Carving
         {
             get
             {
                 SegmentedVolume volume = Loader != null ? Loader.Volume : null;
-                if (volume != carved)
+                if (volume != carved || (!Application.isPlaying && start.Differs(startCarving, startFile)))
                     Carve(volume);
                 return carving;
             }
         }
+
+        /// <summary>A carving file that volumes loaded from now on start with; null = nothing is carved.</summary>
+        public TextAsset StartFile { get => startFile; set => startFile = value; }
 
         /// <summary>Radius of the new active sphere when the active one is fixed, relative to the old one; 0.05 to 1.</summary>
         /// <exception cref="ArgumentOutOfRangeException">The value lies outside.</exception>
@@ -56,9 +67,7 @@ namespace AnatomyCarve
             get => activeRadiusFactor;
             set
             {
-                if (!(value >= 0.05f && value <= 1f))
-                    throw new ArgumentOutOfRangeException(nameof(ActiveRadiusFactor), value, "The factor is 0.05 to 1.");
-                activeRadiusFactor = value;
+                activeRadiusFactor = SettingRange.Checked(value, 0.05f, 1f, nameof(ActiveRadiusFactor));
                 Configure();
             }
         }
@@ -71,7 +80,7 @@ namespace AnatomyCarve
         public void SetActive(Vector3 worldCentre, float worldRadius)
         {
             CarvingStack stack = Required();
-            Matrix4x4 localToWorld = Loader.transform.localToWorldMatrix;
+            Matrix4x4 localToWorld = transform.localToWorldMatrix;
             PointMm centre = VolumeSpace.WorldToLps(carved.Geometry, localToWorld).TransformPoint(new PointMm(worldCentre.x, worldCentre.y, worldCentre.z));
             stack.SetActive(centre, worldRadius / (VolumeSpace.WorldScale(localToWorld) * VolumeSpace.MetresPerMm));
         }
@@ -112,32 +121,33 @@ namespace AnatomyCarve
         /// <exception cref="InvalidOperationException">No volume is loaded.</exception>
         public bool Redo() => Required().Redo();
 
-        /// <summary>
-        /// Saves the carving as a JSON file; segments that the loaded file named and this volume lacks are kept. The file is complete or, if saving fails,
-        /// as it was before.
-        /// </summary>
+        /// <summary>The carving as the text of a carving file; segments that the loaded one named and this volume lacks are kept.</summary>
+        /// <exception cref="InvalidOperationException">No volume is loaded.</exception>
+        public string ToJson() => CarvingFile.Format(Document());
+
+        /// <summary>Saves the carving as a JSON file, as <see cref="ToJson"/> has it. The file is complete or, if saving fails, as it was before.</summary>
         /// <exception cref="InvalidOperationException">No volume is loaded.</exception>
         /// <exception cref="CarvingFileException">The file cannot be written.</exception>
-        public void Save(string path)
-        {
-            CarvingStack stack = Required();
-            CarvingFile.Write(CarvingBinding.Document(stack.State, carved.Segments, loaded), path);
-        }
+        public void Save(string path) => CarvingFile.Write(Document(), path);
 
         /// <summary>Replaces the carving by one from a JSON file. It can be undone. If the file cannot be read, the carving stays as it is.</summary>
         /// <returns>What does not fit this volume, as sentences, which are logged as warnings too; empty = all of it fits.</returns>
         /// <exception cref="InvalidOperationException">No volume is loaded.</exception>
         /// <exception cref="CarvingFileException">The file cannot be read, is not a carving, or is of a version that this package does not know.</exception>
-        public IReadOnlyList<string> Load(string path)
+        public IReadOnlyList<string> Load(string path) => Take(CarvingFile.Read(path));
+
+        /// <summary>Replaces the carving by one from the text of a carving file, as <see cref="Load"/> does from the file.</summary>
+        /// <param name="json">The text.</param>
+        /// <param name="source">What messages call it.</param>
+        /// <inheritdoc cref="Load"/>
+        public IReadOnlyList<string> LoadJson(string json, string source = "carving") => Take(CarvingFile.Parse(json, source));
+
+        /// <summary>Makes volumes start with the carving as it is now. This is how edits outside Play are saved with the scene.</summary>
+        /// <exception cref="InvalidOperationException">No volume is loaded.</exception>
+        internal void KeepAsStart()
         {
-            CarvingStack stack = Required();
-            CarvingDocument document = CarvingFile.Read(path);
-            CarvingBinding binding = CarvingBinding.Bind(document, carved.Segments);
-            loaded = document; // before the change is raised: a listener may save
-            stack.Replace(binding.Fixed, binding.Active);
-            foreach (string warning in binding.Warnings)
-                Debug.LogWarning(warning, this);
-            return binding.Warnings;
+            startCarving = ToJson();
+            start.SetUsed(startCarving, startFile);
         }
 
         /// <summary>Lets go of a volume that was unloaded.</summary>
@@ -152,13 +162,25 @@ namespace AnatomyCarve
 
         CarvingStack Required() => Carving ?? throw new InvalidOperationException($"{name}: no volume is loaded, so there is nothing to carve.");
 
+        CarvingDocument Document() => CarvingBinding.Document(Required().State, carved.Segments, loaded);
+
+        IReadOnlyList<string> Take(CarvingDocument document)
+        {
+            CarvingStack stack = Required();
+            CarvingBinding binding = CarvingBinding.Bind(document, carved.Segments);
+            loaded = document; // before the change is raised: a listener may save
+            stack.Replace(binding.Fixed, binding.Active);
+            foreach (string warning in binding.Warnings)
+                Debug.LogWarning(warning, this);
+            return binding.Warnings;
+        }
+
         void Carve(SegmentedVolume volume)
         {
             if (carving != null)
                 carving.Changed -= Raise;
             carved = volume;
-            loaded = null;
-            carving = volume == null ? null : new CarvingStack(volume.Segments.Count);
+            carving = start.Of(volume, startCarving, startFile, this, out loaded);
             if (carving != null)
                 carving.Changed += Raise;
             Configure();

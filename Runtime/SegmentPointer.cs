@@ -12,6 +12,7 @@ namespace AnatomyCarve
     /// </summary>
     [AddComponentMenu("AnatomyCarve/Segment Pointer")]
     [DisallowMultipleComponent]
+    [ManualPage("components")]
     public sealed class SegmentPointer : MonoBehaviour
     {
         [SerializeField, Tooltip("The volume to point at; empty = the one on this GameObject or its parents")]
@@ -71,7 +72,7 @@ namespace AnatomyCarve
 
         /// <summary>The point that it pointed at last, in world space; meaningless without a hit.</summary>
         public Vector3 CurrentPosition => Current.Hit && Target != null && Target.Volume != null
-            ? Target.Loader.transform.TransformPoint(VolumeSpace.LpsToLocal(Target.Volume.Geometry, Current.PositionLps))
+            ? Target.transform.TransformPoint(VolumeSpace.LpsToLocal(Target.Volume.Geometry, Current.PositionLps))
             : Vector3.zero;
 
         SegmentMask CurrentMask => Carving?.ActiveMask;
@@ -125,7 +126,7 @@ namespace AnatomyCarve
             CarvedField field = Target != null ? Target.Field : null;
             if (field == null)
                 return SegmentHit.None;
-            Matrix4x4 volumeToWorld = Target.Loader.transform.localToWorldMatrix;
+            Matrix4x4 volumeToWorld = Target.transform.localToWorldMatrix;
             if (VolumeSpace.WorldScale(volumeToWorld) == 0)
                 return SegmentHit.None;
             RayMm ray = VolumeSpace.RayToLps(field.Volume.Geometry, volumeToWorld, worldRay, out double mmPerWorldUnit);

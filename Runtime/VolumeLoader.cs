@@ -7,23 +7,28 @@ using UnityEngine;
 namespace AnatomyCarve
 {
     /// <summary>
-    /// Loads a segmented volume, from files or from memory, and publishes it to the components on its GameObject. Its transform is the
-    /// volume's: +x is the patient's left, +y superior, +z posterior, in metres around the volume's centre. What is shown stays until another
-    /// volume has been loaded completely.
+    /// Loads a segmented volume, from an asset, from files or from memory, and publishes it to the components on its GameObject, whose local space is then the
+    /// patient's: +x left, +y superior, +z posterior, in metres around the volume's centre. What is shown stays until another volume has been loaded completely.
     /// </summary>
     [AddComponentMenu("AnatomyCarve/Volume Loader")]
     [DisallowMultipleComponent]
+    [ExecuteAlways]
+    [ManualPage("components")]
     public sealed class VolumeLoader : MonoBehaviour
     {
+        [SerializeField, Tooltip("A volume that the Editor imported: the fastest way; it comes before files")]
+        VolumeAsset asset;
+
         [SerializeField, Tooltip("NIfTI or NRRD file with intensities; a relative path counts from StreamingAssets")]
         string intensityPath = "";
 
         [SerializeField, Tooltip("NIfTI or NRRD file with labels on the same grid; empty = everything is unlabelled")]
         string labelsPath = "";
 
-        [SerializeField, Tooltip("Load these files when the scene starts")]
+        [SerializeField, Tooltip("Load the asset or these files when the scene starts, and in the Editor outside Play")]
         bool loadOnStart = true;
 
+        StartSource begun;
         CancellationTokenSource loading;
         LoadProgress newest;
 
@@ -42,79 +47,66 @@ namespace AnatomyCarve
         /// <summary>Whether a load is running.</summary>
         public bool IsLoading => loading != null;
 
+        /// <summary>The imported volume that is loaded on start; it comes before files. Null = none.</summary>
+        public VolumeAsset Asset { get => asset; set => asset = value; }
+
         /// <summary>The file with intensities that is loaded on start. A relative path counts from StreamingAssets.</summary>
-        public string IntensityPath
-        {
-            get => intensityPath;
-            set => intensityPath = value ?? "";
-        }
+        public string IntensityPath { get => intensityPath; set => intensityPath = value ?? ""; }
 
         /// <summary>The file with labels that is loaded on start; empty = everything is unlabelled.</summary>
-        public string LabelsPath
-        {
-            get => labelsPath;
-            set => labelsPath = value ?? "";
-        }
+        public string LabelsPath { get => labelsPath; set => labelsPath = value ?? ""; }
 
-        /// <summary>Whether the files are loaded when the component starts.</summary>
-        public bool LoadOnStart
+        /// <summary>Whether the asset or the files are loaded when the component starts.</summary>
+        public bool LoadOnStart { get => loadOnStart; set => loadOnStart = value; }
+
+        /// <summary>
+        /// Loads an imported volume; no medical format has to be parsed. It is unpacked on other threads; everything else as with files.
+        /// </summary>
+        /// <inheritdoc cref="LoadAsync(string, string, CancellationToken, IProgress{float})"/>
+        /// <param name="asset">The asset. It must stay loaded until the end.</param>
+        /// <exception cref="ArgumentNullException"><paramref name="asset"/> is null.</exception>
+        public Task<SegmentedVolume> LoadAsync(VolumeAsset asset, CancellationToken cancellationToken = default, IProgress<float> progress = null)
         {
-            get => loadOnStart;
-            set => loadOnStart = value;
+            if (asset == null)
+                throw new ArgumentNullException(nameof(asset));
+            return LoadAsync((token, report) => VolumeOpening.AssetAsync(asset, token, report), cancellationToken, progress);
         }
 
         /// <summary>
-        /// Loads a volume. Files are read on another thread; a load that is still running is cancelled. Call it on the main thread, where it
-        /// also ends. If it fails or is cancelled, the volume that was there stays. What was odd in the files is logged, a warning each.
+        /// Loads a volume from files. They are read on another thread; a load that is still running is cancelled. Call it on the main thread, where it also
+        /// ends. If it fails or is cancelled, the volume that was there stays. What was odd in the files is logged, a warning each.
         /// </summary>
-        /// <param name="intensityPath">File with intensities (NIfTI-1 or NRRD). A relative path counts from StreamingAssets.</param>
+        /// <param name="intensityPath">File with intensities (NIfTI-1 or NRRD). A relative path counts from StreamingAssets, on every platform; an address that
+        /// begins with https:// is fetched.</param>
         /// <param name="labelsPath">File with labels on the same grid, path likewise; null or empty = everything is unlabelled.</param>
         /// <param name="cancellationToken">Stops the load; destroying the component and quitting do so too.</param>
         /// <param name="progress">Gets 0 to 1 on the thread that reads; a <see cref="Progress{T}"/> made on the main thread brings it there.</param>
         /// <returns>The volume, which is <see cref="Volume"/> by then.</returns>
         /// <exception cref="ArgumentException">There is no path.</exception>
-        /// <exception cref="VolumeFormatException">A file cannot be read.</exception>
-        /// <exception cref="VolumeMismatchException">The two files are on different grids.</exception>
-        /// <exception cref="AnatomyCarveException">A file lies inside the application's package, as StreamingAssets does on Android.</exception>
+        /// <exception cref="VolumeFormatException">It cannot be read.</exception>
+        /// <exception cref="VolumeMismatchException">Intensities and labels are on different grids.</exception>
+        /// <exception cref="AnatomyCarveException">A file could not be fetched out of the application's package or from an address.</exception>
         /// <exception cref="OperationCanceledException">The load was cancelled, or another one was started.</exception>
-        public async Task<SegmentedVolume> LoadAsync(
+        public Task<SegmentedVolume> LoadAsync(
             string intensityPath, string labelsPath = null, CancellationToken cancellationToken = default, IProgress<float> progress = null)
         {
             if (string.IsNullOrEmpty(intensityPath))
                 throw new ArgumentException("A volume needs a file with intensities.", nameof(intensityPath));
-            Cancel();
-            using (var source = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken, destroyCancellationToken, Application.exitCancellationToken))
-            {
-                loading = source;
-                CancellationToken token = source.Token;
-                var relay = new LoadProgress(progress);
-                newest = relay;
-                SegmentedVolume volume;
-                try
-                {
-                    relay.Report(0f);
-                    string intensity = VolumePaths.Resolve(intensityPath, Application.streamingAssetsPath);
-                    string labels = VolumePaths.Resolve(labelsPath, Application.streamingAssetsPath);
-                    volume = await Task.Run(() => VolumeReading.Read(intensity, labels, token, relay), token);
-                    token.ThrowIfCancellationRequested();
-                }
-                catch (Exception e) when (!(e is OperationCanceledException))
-                {
-                    if (!token.IsCancellationRequested)
-                        Failed?.Invoke(e);
-                    throw;
-                }
-                finally
-                {
-                    if (loading == source)
-                        loading = null;
-                }
-                relay.Report(1f);
-                foreach (string warning in volume.Warnings)
-                    Debug.LogWarning(warning, this);
-                Publish(volume);
-                return volume;
-            }
+            return LoadAsync((token, report) => VolumeOpening.FilesAsync(intensityPath, labelsPath, token, report), cancellationToken, progress);
+        }
+
+        /// <summary>Loads a volume from files' contents, as they come from a server or a picker; everything else as with files.</summary>
+        /// <inheritdoc cref="LoadAsync(string, string, CancellationToken, IProgress{float})"/>
+        /// <param name="intensity">All bytes of a file with intensities (NIfTI-1, gzipped or not, or NRRD). Not to be changed before the end.</param>
+        /// <param name="labels">All bytes of a file with labels on the same grid; null = everything is unlabelled.</param>
+        /// <param name="name">What messages call it.</param>
+        /// <exception cref="ArgumentNullException"><paramref name="intensity"/> is null.</exception>
+        public Task<SegmentedVolume> LoadAsync(
+            byte[] intensity, byte[] labels = null, string name = "volume", CancellationToken cancellationToken = default, IProgress<float> progress = null)
+        {
+            if (intensity == null)
+                throw new ArgumentNullException(nameof(intensity));
+            return LoadAsync((token, report) => VolumeOpening.ContentsAsync(intensity, labels, name, token, report), cancellationToken, progress);
         }
 
         /// <summary>Shows a volume that is in memory already. A load that is still running is cancelled.</summary>
@@ -141,13 +133,27 @@ namespace AnatomyCarve
             loading = null;
         }
 
-        async void Start()
+        /// <summary>Begins what is to be loaded: once in Play, and outside Play whenever something else is to be loaded.</summary>
+        void Update()
         {
-            if (!loadOnStart || intensityPath.Length == 0 || Volume != null)
+            var wanted = new StartSource(asset, intensityPath, labelsPath, loadOnStart);
+            if (begun.IsSet && (Application.isPlaying || wanted.Equals(begun)))
                 return;
+            bool first = !begun.IsSet;
+            begun = wanted;
+            if (wanted.HasSource && (!first || (Volume == null && !IsLoading)))
+                LoadStart(wanted);
+            else if (!first)
+                Unload();
+        }
+
+        void OnDestroy() => Unload();
+
+        async void LoadStart(StartSource source)
+        {
             try
             {
-                await LoadAsync(intensityPath, labelsPath);
+                await (source.Asset != null ? LoadAsync(source.Asset) : LoadAsync(source.IntensityPath, source.LabelsPath));
             }
             catch (OperationCanceledException)
             {
@@ -159,16 +165,46 @@ namespace AnatomyCarve
             }
         }
 
-        void OnDestroy()
+        async Task<SegmentedVolume> LoadAsync(
+            Func<CancellationToken, IProgress<float>, Task<SegmentedVolume>> open, CancellationToken cancellationToken, IProgress<float> progress)
         {
             Cancel();
-            Volume = null;
+            using var source = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken, destroyCancellationToken, Application.exitCancellationToken);
+            loading = source;
+            CancellationToken token = source.Token;
+            var relay = new LoadProgress(progress);
+            newest = relay;
+            SegmentedVolume volume;
+            try
+            {
+                relay.Report(0f);
+                volume = await open(token, relay);
+                token.ThrowIfCancellationRequested();
+            }
+            catch (Exception e) when (!(e is OperationCanceledException))
+            {
+                if (!token.IsCancellationRequested)
+                    Failed?.Invoke(e);
+                throw;
+            }
+            finally
+            {
+                if (loading == source)
+                    loading = null;
+            }
+            relay.Report(1f);
+            foreach (string warning in volume.Warnings)
+                Debug.LogWarning(warning, this);
+            Publish(volume);
+            return volume;
         }
 
         void Publish(SegmentedVolume volume)
         {
             Volume = volume;
             Loaded?.Invoke(volume);
+            if (!Application.isPlaying)
+                EditorRefresh.Request();
         }
     }
 }

@@ -21,14 +21,4 @@ int3 BrickOrigin(uint3 group)
     return int3(packed & 1023u, (packed >> 10) & 1023u, (packed >> 20) & 1023u) * BRICK_SIZE;
 }
 
-int3 ClampToVolume(int3 voxel)
-{
-    return clamp(voxel, int3(0, 0, 0), _VolumeDims.xyz - 1);
-}
-
-bool IsInVolume(int3 voxel)
-{
-    return all(voxel >= 0) && all(voxel < _VolumeDims.xyz);
-}
-
 #endif

@@ -13,7 +13,7 @@ float2 OctahedralSign(float2 v)
     return float2(v.x < 0.0 ? -1.0 : 1.0, v.y < 0.0 ? -1.0 : 1.0);
 }
 
-// The two unorm values to store for a unit vector. The stored value (0, 0) never comes out.
+// The two codes, whole numbers of 0..254, for a unit vector. (0, 0) never comes out.
 float2 OctahedralEncode(float3 direction)
 {
     float2 p = direction.xy / (abs(direction.x) + abs(direction.y) + abs(direction.z));
@@ -22,13 +22,12 @@ float2 OctahedralEncode(float3 direction)
     float2 code = clamp(floor(p * OCTAHEDRAL_HALF_RANGE + 0.5) + OCTAHEDRAL_HALF_RANGE, 0.0, 2.0 * OCTAHEDRAL_HALF_RANGE);
     if (code.x + code.y == 0.0)
         code = float2(2.0 * OCTAHEDRAL_HALF_RANGE, 2.0 * OCTAHEDRAL_HALF_RANGE);
-    return code / 255.0;
+    return code;
 }
 
-// The unit vector of two stored unorm values; (0, 0, 0) for "no direction".
-float3 OctahedralDecode(float2 stored)
+// The unit vector of two codes; (0, 0, 0) for "no direction".
+float3 OctahedralDecode(float2 code)
 {
-    float2 code = floor(stored * 255.0 + 0.5);
     float2 p = (code - OCTAHEDRAL_HALF_RANGE) / OCTAHEDRAL_HALF_RANGE;
     float z = 1.0 - abs(p.x) - abs(p.y);
     float2 xy = z < 0.0 ? (1.0 - abs(p.yx)) * OctahedralSign(p) : p;

@@ -2,8 +2,10 @@
 #define ANATOMYCARVE_OPACITY_TILE_INCLUDED
 
 #include "Bricks.hlsl"
+#include "VolumeFields.hlsl"
 
-// A brick's opacities with one voxel around, in memory that the group shares, and the 3x3x3 Sobel operator on it.
+// A brick's opacities with one voxel around, in memory that the group shares, and the 3x3x3 Sobel operator on it. Before the include,
+// TILE_OPACITY is defined as the function that reads a voxel's opacity.
 
 #define TILE_SIZE (BRICK_SIZE + 2)
 #define TILE_VOXELS (TILE_SIZE * TILE_SIZE * TILE_SIZE)
@@ -16,13 +18,13 @@ groupshared float OpacityTile[TILE_VOXELS];
 
 // Called by all threads of a group, before a barrier. Voxels outside the volume get outsideFactor times the nearest voxel inside:
 // 1 continues the volume, 0 ends it.
-void FillOpacityTile(Texture3D<float> source, int3 brickOrigin, uint threadIndex, float outsideFactor)
+void FillOpacityTile(int3 brickOrigin, uint threadIndex, float outsideFactor)
 {
     for (uint cell = threadIndex; cell < TILE_VOXELS; cell += GROUP_THREADS)
     {
         uint3 offset = uint3(cell % TILE_SIZE, (cell / TILE_SIZE) % TILE_SIZE, cell / (TILE_SIZE * TILE_SIZE));
         int3 voxel = brickOrigin + int3(offset) - 1;
-        float opacity = source.Load(int4(ClampToVolume(voxel), 0));
+        float opacity = TILE_OPACITY(ClampToVolume(voxel));
         OpacityTile[cell] = IsInVolume(voxel) ? opacity : opacity * outsideFactor;
     }
 }

@@ -1,14 +1,13 @@
 #ifndef ANATOMYCARVE_SEGMENT_LOOKUP_INCLUDED
 #define ANATOMYCARVE_SEGMENT_LOOKUP_INCLUDED
 
-#include "VolumeLayout.hlsl"
+#include "VolumeFields.hlsl"
 
 // Which segment a point between voxels belongs to: that of the most opaque of the eight voxels around it, by the opacity before
 // anti-aliasing; where all eight are empty (filters spread opacity), of the 4x4x4 around it. Ties: the lowest index, i fastest.
 
 #define NO_SEGMENT 0xFFFFu
 
-Texture3D<float> _Opacity;
 Texture3D<uint> _Labels;
 Texture2D<float4> _SegmentColors; // rgb: linear colour
 
@@ -16,14 +15,14 @@ Texture2D<float4> _SegmentColors; // rgb: linear colour
 int3 MostOpaqueVoxel(int3 first, uint bits, out float opacity)
 {
     uint size = 1u << bits;
-    int3 last = _VolumeDims.xyz - 1;
+    int3 last = VolumeDims() - 1;
     int3 best = clamp(first, int3(0, 0, 0), last);
     opacity = 0.0;
     for (uint n = 0u; n < size * size * size; n++)
     {
         uint3 offset = uint3(n, n >> bits, n >> (2u * bits)) & (size - 1u);
         int3 voxel = clamp(first + int3(offset), int3(0, 0, 0), last);
-        float o = _Opacity.Load(int4(voxel, 0));
+        float o = OpacityOf(voxel);
         if (o > opacity)
         {
             opacity = o;
@@ -49,7 +48,7 @@ uint SegmentAround(int3 corner)
 // Linear colour of a segment; NO_SEGMENT has the colour of segment 0.
 float3 SegmentColor(uint segment)
 {
-    uint row = segment < (uint)_CarveCounts.z ? segment : 0u;
+    uint row = segment < SegmentCount() ? segment : 0u;
     return _SegmentColors.Load(int3(row % SEGMENTS_PER_ROW, row / SEGMENTS_PER_ROW, 0)).rgb;
 }
 

@@ -2,11 +2,9 @@
 #define ANATOMYCARVE_SHADING_INCLUDED
 
 #include "Octahedral.hlsl"
-#include "VolumeLayout.hlsl"
+#include "VolumeFields.hlsl"
 
 // Normals between voxels, and Blinn-Phong (Blinn, "Models of Light Reflection for Computer Synthesized Pictures", SIGGRAPH 1977).
-
-Texture3D<float2> _Normals; // RG8_UNorm, octahedral
 
 // Trilinear blend of the eight normals around a point in index space, those without a direction left out; not of unit length,
 // (0, 0, 0) when none has one. Octahedral codes cannot be filtered by a sampler: they wrap around.
@@ -14,7 +12,7 @@ float3 BlendedNormal(float3 index)
 {
     float3 corner = floor(index);
     float3 part = index - corner;
-    int3 last = _VolumeDims.xyz - 1;
+    int3 last = VolumeDims() - 1;
     float3 sum = float3(0.0, 0.0, 0.0);
     [unroll]
     for (int n = 0; n < 8; n++)
@@ -22,19 +20,19 @@ float3 BlendedNormal(float3 index)
         int3 offset = int3(n & 1, (n >> 1) & 1, n >> 2);
         float3 weights = float3(offset) * part + float3(1 - offset) * (1.0 - part);
         int3 voxel = clamp(int3(corner) + offset, int3(0, 0, 0), last);
-        sum += weights.x * weights.y * weights.z * OctahedralDecode(_Normals.Load(int4(voxel, 0)));
+        sum += weights.x * weights.y * weights.z * OctahedralDecode(NormalCodeOf(voxel));
     }
     return sum;
 }
 
 // Linear colour of a surface: base * (ambient + diffuse * (n.l) * light) + specular * (n.h)^shininess * light. Surfaces have two sides: a
-// normal that points away from the viewer is turned. toViewer: unit vector, centred mm. No normal: the surface faces the viewer.
-float3 BlinnPhong(float3 base, float3 normal, float3 toViewer)
+// normal that points away from the viewer is turned. toViewer, toLight: unit vectors, centred mm. No normal: the surface faces
+// the viewer.
+float3 BlinnPhong(float3 base, float3 normal, float3 toViewer, float3 toLight)
 {
     float normalLength = length(normal);
     float3 n = normalLength > 1e-4 ? normal / max(normalLength, 1e-4) : toViewer;
     n = dot(n, toViewer) < 0.0 ? -n : n;
-    float3 toLight = _LightDirection.xyz;
     float3 halfway = toLight + toViewer;
     halfway *= rsqrt(max(dot(halfway, halfway), 1e-12));
     float diffuse = _Shading.y * max(dot(n, toLight), 0.0);

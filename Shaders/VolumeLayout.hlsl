@@ -19,10 +19,11 @@ struct SphereRow
     uint4 mask;          // x: index of the mask's first word in _MaskWords; bit s of the mask = this sphere clips segment s
 };
 
+// Whole numbers too are floats here: a material, unlike a compute shader, has no rows of integers. They stay below 2^24, so they are exact.
 cbuffer CarvedVolume
 {
-    int4 _VolumeDims;          // xyz: voxels per axis; w: bricks in _Bricks
-    int4 _BrickGrid;           // xyz: bricks per axis; w: groups per row of the dispatch
+    float4 _VolumeDims;        // xyz: voxels per axis; w: bricks in _Bricks
+    float4 _BrickGrid;         // xyz: bricks per axis; w: groups per row of the dispatch
     float4 _IndexToMm0;        // xyz: row 0 of M, mm per voxel
     float4 _IndexToMm1;
     float4 _IndexToMm2;
@@ -30,26 +31,33 @@ cbuffer CarvedVolume
     float4 _MmToIndex1;
     float4 _MmToIndex2;
     float4 _CentreIndex;       // xyz: (dims - 1) / 2; w: reference length = the smallest spacing, mm
-    float4 _IntensityToLookup; // texel of the transfer function = saturate(stored * x + y) * z; z = texels - 1
-    int4 _CarveCounts;         // x: spheres; y: words per mask; z: segments; w: cut mode, 0 = binary, 1 = smooth
+    float4 _IntensityToLookup; // texel of the transfer function = saturate(code * x + y) * z; z = texels - 1
+    float4 _CarveCounts;       // x: spheres; y: words per mask; z: segments; w: cut mode, 0 = binary, 1 = smooth
     float4 _AntiAlias;         // x: absolute, y: relative contrast threshold; z: smallest gradient; w: strength, 0..1
 };
 
-// A ray of the picture: P(t) = origin + t * direction in centred mm; both are linear in x and y, in pixels (centre = integer + 0.5).
-cbuffer RaymarchView
+// What all rays of a picture have in common.
+cbuffer RaymarchSettings
 {
-    int4 _PictureSize;         // xy: pixels; z: 1 = _SceneDepth limits the rays
-    float4 _RayOrigin;         // xyz: at x = y = 0
-    float4 _RayOriginDx;       // xyz: change per pixel in x
-    float4 _RayOriginDy;
-    float4 _RayDirection;
-    float4 _RayDirectionDx;
-    float4 _RayDirectionDy;
-    float4 _RayRange;          // x: nearest, y: farthest t that is looked at
     float4 _March;             // x: step in reference lengths; y: alpha at which a ray ends; z: alpha that makes a segment visible; w: 1 = exact filter
-    float4 _LightDirection;    // xyz: unit vector towards the light, centred mm
+    float4 _LightDirection;    // xyz: unit vector towards the light; Raymarch: centred mm; CarvedVolume: x right, y up, z towards the viewer
     float4 _LightColor;        // rgb: linear
     float4 _Shading;           // x: ambient; y: diffuse; z: specular; w: shininess
 };
+
+int3 VolumeDims() { return int3(_VolumeDims.xyz); }
+uint SphereCount() { return (uint)_CarveCounts.x; }
+uint SegmentCount() { return (uint)_CarveCounts.z; }
+bool IsSmoothCut() { return _CarveCounts.w > 0.5; }
+
+int3 ClampToVolume(int3 voxel)
+{
+    return clamp(voxel, int3(0, 0, 0), VolumeDims() - 1);
+}
+
+bool IsInVolume(int3 voxel)
+{
+    return all(voxel >= 0) && all(voxel < VolumeDims());
+}
 
 #endif

@@ -27,9 +27,11 @@ namespace AnatomyCarve.Headless.Cli
                 "Renders segmented CT and MRI volumes carved by clip spheres, headless, with the very code of the Unity package AnatomyCarve.")
             {
                 RenderCommand.Create(),
+                SceneCommand.Create(),
                 InfoCommand.Create(),
                 CompareCommand.Create(),
                 ExpectCommand.Create(),
+                BenchCommand.Create(),
             };
 
             var parsed = root.Parse(arguments);

@@ -1,7 +1,7 @@
-// Asks Microsoft's shader compilers whether they take a kernel. Runs under Wine; check-d3d builds and calls it.
+// Asks Microsoft's shader compilers whether they take a kernel or a stage. Runs under Wine; check-d3d builds and calls it.
 //
-//   d3dcompile.exe fxc FILE -E ENTRY -T cs_5_0 [-D NAME=VALUE]... [-Fc LISTING]
-//   d3dcompile.exe dxc FILE -E ENTRY -T cs_6_0 [-D NAME=VALUE]...
+//   d3dcompile.exe fxc FILE -E ENTRY -T cs_5_0|vs_5_0|ps_5_0 [-D NAME=VALUE]... [-Fc LISTING]
+//   d3dcompile.exe dxc FILE -E ENTRY -T cs_6_0|vs_6_0|ps_6_0 [-D NAME=VALUE]...
 //
 // fxc: D3DCompile of d3dcompiler_47.dll, which Unity uses for Direct3D 11 and as the first step towards Vulkan and Metal.
 // dxc: IDxcCompiler3 of dxcompiler.dll (DXIL only; its options are passed on as they are).
@@ -89,7 +89,9 @@ static int compileWithFxc(const char *path, int count, char **options)
     ID3DIncludeVtbl vtable = {openInclude, closeInclude};
     ID3DInclude includer = {&vtable};
     ID3DBlob *code = NULL, *messages = NULL;
-    HRESULT result = compile(source, size, path, macros, &includer, entry, target, D3DCOMPILE_OPTIMIZATION_LEVEL3, 0, &code, &messages);
+    // As Unity does for stages: they may use Direct3D 9's samplers and half numbers.
+    UINT flags = D3DCOMPILE_OPTIMIZATION_LEVEL3 | (strncmp(target, "cs", 2) ? D3DCOMPILE_ENABLE_BACKWARDS_COMPATIBILITY : 0);
+    HRESULT result = compile(source, size, path, macros, &includer, entry, target, flags, 0, &code, &messages);
     if (messages) fputs(ID3D10Blob_GetBufferPointer(messages), stderr);
     if (FAILED(result)) return 1;
     if (listing) {

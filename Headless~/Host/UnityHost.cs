@@ -1,20 +1,28 @@
 using System;
 using System.IO;
+using System.Linq;
 using System.Threading;
 using Unity.Collections;
+using UnityEditor;
 using UnityEngine;
+using UnityEngine.Experimental.Rendering;
+using UnityEngine.InputSystem;
+using UnityEngine.SceneManagement;
 
 namespace AnatomyCarve.Headless
 {
     /// <summary>A running engine: what Unity's player executable is to a game. One at a time per process; the thread that starts it is the main
     /// thread.</summary>
-    public sealed class UnityHost : IDisposable
+    public sealed partial class UnityHost : IDisposable
     {
         /// <summary>One frame of a headset, in seconds.</summary>
         public const float DefaultFrameSeconds = 1f / 72f;
 
         /// <summary>The fileID by which YAML refers to the ComputeShader in a .compute file.</summary>
         const long ComputeShaderFileId = 7200000;
+
+        /// <summary>The same for the Shader in a .shader file.</summary>
+        const long ShaderFileId = 4800000;
 
         /// <summary>How the engine marks what the validation layer says.</summary>
         const string ValidationPrefix = "Vulkan validation";
@@ -46,7 +54,8 @@ namespace AnatomyCarve.Headless
         {
             options ??= new HostOptions();
             var host = new UnityHost(options);
-            EngineLoop.Start(new EnginePaths(options.DataFolder ?? Path.Combine(Path.GetTempPath(), "anatomycarve-host")));
+            EngineLoop.Start(
+                new EnginePaths(options.DataFolder ?? Path.Combine(Path.GetTempPath(), "anatomycarve-host"), options.StreamingAssets), !options.PlayMode);
             try
             {
                 host.Begin(options);
@@ -64,6 +73,12 @@ namespace AnatomyCarve.Headless
         public void Step(float dt = DefaultFrameSeconds)
         {
             ObjectDisposedException.ThrowIf(m_Disposed, this);
+            if (Application.InEditMode)
+            {
+                EditorApplication.Tick();
+                EditorApplication.TakeQueuedPlayerLoop();
+            }
+
             EngineLoop.Step(dt);
         }
 
@@ -82,6 +97,40 @@ namespace AnatomyCarve.Headless
             return condition();
         }
 
+        /// <summary>The window's picture as it is stored, RGBA with eight bits each, the bottom row first.</summary>
+        public byte[] ReadScreen()
+        {
+            ObjectDisposedException.ThrowIf(m_Disposed, this);
+            return ScreenBuffer.Read();
+        }
+
+        /// <summary>An eye's picture in the headset, as <see cref="ReadScreen"/>; 0 is the left one.</summary>
+        /// <exception cref="InvalidOperationException">There is no headset.</exception>
+        public byte[] ReadEye(int eye)
+        {
+            CheckEye(eye);
+            return Headset.Read(eye);
+        }
+
+        /// <summary>A target's depth buffer as it is stored, the bottom row first: 1 at the near plane, 0 at the far one.</summary>
+        /// <exception cref="ArgumentException">The target has no depth of 32-bit floats, or was not created.</exception>
+        public float[] ReadDepth(RenderTexture target)
+        {
+            ObjectDisposedException.ThrowIf(m_Disposed, this);
+            ArgumentNullException.ThrowIfNull(target);
+            if (target.depthStencilFormat != GraphicsFormat.D32_SFloat || !target.IsCreated())
+                throw new ArgumentException($"Texture {target.name} has no depth buffer of 32-bit floats", nameof(target));
+            return DepthOf(target, 0);
+        }
+
+        /// <summary>The depth buffer of an eye's picture in the headset, as <see cref="ReadDepth"/>.</summary>
+        /// <exception cref="InvalidOperationException">There is no headset.</exception>
+        public float[] ReadEyeDepth(int eye)
+        {
+            CheckEye(eye);
+            return DepthOf(Headset.Eyes, eye);
+        }
+
         /// <summary>Ends everything, the device too, and fills <see cref="Report"/>.</summary>
         public void Dispose()
         {
@@ -90,6 +139,7 @@ namespace AnatomyCarve.Headless
             m_Disposed = true;
             m_Errors = 0;
             var objects = EngineLoop.Stop();
+            EditorStartup.Forget();
             var device = Gpu.Shutdown();
             var arrays = NativeMemory.LeakCount;
             NativeMemory.ForgetLeaks();
@@ -104,18 +154,51 @@ namespace AnatomyCarve.Headless
             LogRouter.Sink = OnLog;
             Screen.width = options.ScreenWidth;
             Screen.height = options.ScreenHeight;
+            ColorSpaces.Active = options.ColorSpace;
             GpuOptions.Validation = options.Validation;
             GpuOptions.PackageRoot = PackageRoot;
             GpuOptions.CacheFolder = options.CacheFolder;
+            (GpuOptions.DeviceType, GpuOptions.ComputeShaders) = (options.GraphicsDeviceType, options.ComputeShaders);
             GpuOptions.DeniedFormats.Clear();
             GpuOptions.DeniedFormats.UnionWith(options.DeniedFormats);
             EngineLoop.EarlyUpdate += Gpu.BeginFrame;
             EngineLoop.FrameEnd += Gpu.EndFrame;
+            ProjectPipeline.Choose((PipelineKind)options.RenderPipeline, options.UniversalDepthTexture);
+            Put(options.Headset, options.Stereo);
             AssetImporters.Register(".compute", ComputeShaderFileId, ComputeShader.Load);
-            AssetLibrary.AddRoot(PackageRoot);
-            foreach (var root in options.ExtraRoots)
-                AssetLibrary.AddRoot(root);
-            StartupMethods.Run();
+            AssetImporters.Register(".shader", ShaderFileId, Shader.Load);
+            AssetImporters.Register("." + InputActionAsset.Extension, InputActionsImporter.Import);
+            TextAssets.Register();
+            ImportedAssets.Install();
+            AddRoots(options.ExtraRoots.Prepend(PackageRoot));
+            InstalledPackages.Set(PackageManifest.Read(PackageRoot).Dependencies.Concat(options.Packages));
+            BuildScenes.Set(options.Scenes.Select(ProjectPath));
+            if (options.PlayMode)
+                StartupMethods.Run();
+            else
+                EditorStartup.Run();
+        }
+
+        void CheckEye(int eye)
+        {
+            ObjectDisposedException.ThrowIf(m_Disposed, this);
+            if (Headset.Mode == StereoMode.None)
+                throw new InvalidOperationException("There is no headset; set HostOptions.Stereo");
+            if (eye is not (0 or 1))
+                throw new ArgumentOutOfRangeException(nameof(eye), eye, "0 is the left eye, 1 the right one");
+        }
+
+        static float[] DepthOf(RenderTexture target, int slice)
+        {
+            var bytes = Gpu.Context.Readbacks.ReadNow(target.DepthNative, 0, new TexelBox(0, 0, slice, target.width, target.height, 1));
+            return System.Runtime.InteropServices.MemoryMarshal.Cast<byte, float>(bytes).ToArray();
+        }
+
+        static void Put(HostHeadset headset, HostStereo stereo)
+        {
+            Headset.Mode = (StereoMode)stereo;
+            (Headset.EyeWidth, Headset.EyeHeight, Headset.Separation) = (headset.EyeWidth, headset.EyeHeight, headset.Separation);
+            (Headset.Left, Headset.Right) = (headset.LeftEye, headset.RightEye);
         }
 
         static string FindPackageRoot(string from)

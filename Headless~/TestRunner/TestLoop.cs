@@ -23,6 +23,8 @@ namespace UnityEngine.TestTools
         internal static void Run(IEnumerator routine, int timeoutMs)
         {
             var runner = new GameObject("Code-based tests runner");
+            // It outlives the scenes that a test loads.
+            Object.DontDestroyOnLoad(runner);
             try
             {
                 var outcome = new Outcome();

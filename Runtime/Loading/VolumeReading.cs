@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.IO;
 using System.Linq;
 using System.Threading;
 using AnatomyCarve.Formats;
@@ -8,7 +7,7 @@ using AnatomyCarve.Volumes;
 
 namespace AnatomyCarve
 {
-    /// <summary>Reads a volume from its files, on any thread.</summary>
+    /// <summary>Reads a volume from its files, or from their content in memory, on any thread.</summary>
     static class VolumeReading
     {
         /// <summary>What each of the four steps counts in the progress of the whole.</summary>
@@ -22,31 +21,38 @@ namespace AnatomyCarve
         /// <param name="progress">Gets 0 to 1, on the thread that reads.</param>
         /// <exception cref="VolumeFormatException">A file cannot be read.</exception>
         /// <exception cref="VolumeMismatchException">The files are on different grids.</exception>
-        public static SegmentedVolume Read(string intensityPath, string labelsPath, CancellationToken cancellationToken, IProgress<float> progress)
+        public static SegmentedVolume Read(string intensityPath, string labelsPath, CancellationToken cancellationToken, IProgress<float> progress) =>
+            Read(VolumeSource.OfFile(intensityPath), VolumeSource.OfFile(labelsPath), cancellationToken, progress);
+
+        /// <summary>The same from files or from memory.</summary>
+        /// <param name="intensitySource">The intensities.</param>
+        /// <param name="labelsSource">The labels; null = everything is unlabelled.</param>
+        public static SegmentedVolume Read(VolumeSource intensitySource, VolumeSource labelsSource, CancellationToken cancellationToken, IProgress<float> progress)
         {
-            bool labelled = !string.IsNullOrEmpty(labelsPath);
-            float whole = labelled ? 1f : ReadIntensity + ConvertIntensity;
+            if (intensitySource == null)
+                throw new ArgumentNullException(nameof(intensitySource), "A volume needs intensities.");
+            float whole = labelsSource != null ? 1f : ReadIntensity + ConvertIntensity;
             var warnings = new List<string>();
-            VolumeData data = VolumeReader.Read(intensityPath, cancellationToken, new Share(progress, 0f, ReadIntensity / whole));
-            Add(warnings, intensityPath, data.Warnings);
+            VolumeData data = intensitySource.Read(cancellationToken, new ProgressShare(progress, 0f, ReadIntensity / whole));
+            Add(warnings, intensitySource, data.Warnings);
             if (data.Components > 1)
-                Add(warnings, intensityPath, new[] { $"The file has {data.Components} values per voxel; the first is shown, the others are ignored." });
-            var share = new Share(progress, ReadIntensity / whole, ConvertIntensity / whole);
+                Add(warnings, intensitySource, new[] { $"The file has {data.Components} values per voxel; the first is shown, the others are ignored." });
+            var share = new ProgressShare(progress, ReadIntensity / whole, ConvertIntensity / whole);
             IntensityVolume intensity = IntensityVolume.FromVolumeData(data, 0, cancellationToken, share);
-            Add(warnings, intensityPath, intensity.Warnings);
-            if (!labelled)
+            Add(warnings, intensitySource, intensity.Warnings);
+            if (labelsSource == null)
                 return Prepared(SegmentedVolume.Unsegmented(intensity, warnings));
-            data = VolumeReader.Read(labelsPath, cancellationToken, new Share(progress, ReadIntensity + ConvertIntensity, ReadLabels));
-            LabelMap labels = LabelMap.FromVolumeData(data, cancellationToken, new Share(progress, 1f - ConvertLabels, ConvertLabels))
+            data = labelsSource.Read(cancellationToken, new ProgressShare(progress, ReadIntensity + ConvertIntensity, ReadLabels));
+            LabelMap labels = LabelMap.FromVolumeData(data, cancellationToken, new ProgressShare(progress, 1f - ConvertLabels, ConvertLabels))
                 .OnGridOf(intensity.Geometry);
-            Add(warnings, labelsPath, data.Warnings.Concat(labels.Warnings));
+            Add(warnings, labelsSource, data.Warnings.Concat(labels.Warnings));
             try
             {
                 return Prepared(new SegmentedVolume(intensity, labels, warnings));
             }
             catch (VolumeMismatchException problem)
             {
-                throw new VolumeMismatchException($"{labelsPath} and {intensityPath}: {problem.Message}");
+                throw new VolumeMismatchException($"{labelsSource.Name} and {intensitySource.Name}: {problem.Message}");
             }
         }
 
@@ -57,22 +63,7 @@ namespace AnatomyCarve
             return volume;
         }
 
-        static void Add(List<string> warnings, string path, IEnumerable<string> sentences) =>
-            warnings.AddRange(sentences.Select(sentence => $"{Path.GetFileName(path)}: {sentence}"));
-
-        sealed class Share : IProgress<float>
-        {
-            readonly IProgress<float> whole;
-            readonly float start, length;
-
-            public Share(IProgress<float> whole, float start, float length)
-            {
-                this.whole = whole;
-                this.start = start;
-                this.length = length;
-            }
-
-            public void Report(float value) => whole.Report(start + length * value);
-        }
+        static void Add(List<string> warnings, VolumeSource source, IEnumerable<string> sentences) =>
+            warnings.AddRange(sentences.Select(sentence => $"{source.ShortName}: {sentence}"));
     }
 }

@@ -3,7 +3,7 @@ using UnityEngine;
 namespace AnatomyCarve
 {
     /// <summary>
-    /// The package's kernels. One asset of this type lies in a Resources folder of the package and refers to them, so that a player build
+    /// The package's kernels and its shader. One asset of this type lies in a Resources folder of the package and refers to them, so that a player build
     /// holds them and a component that was added at run time finds them without any wiring.
     /// </summary>
     public sealed class AnatomyCarveShaders : ScriptableObject
@@ -22,6 +22,9 @@ namespace AnatomyCarve
         [SerializeField, Tooltip("Direct volume rendering into colour, depth and first visible segment")]
         ComputeShader raymarch = null;
 
+        [SerializeField, Tooltip("The volume in a camera's own picture")]
+        Shader carvedVolume = null;
+
         /// <summary>Kernel <c>ClipVoxels</c>: Eq. 1 and the opacity transfer function.</summary>
         public ComputeShader ClipVoxels => clipVoxels;
 
@@ -33,6 +36,9 @@ namespace AnatomyCarve
 
         /// <summary>Kernel <c>Raymarch</c>: the picture.</summary>
         public ComputeShader Raymarch => raymarch;
+
+        /// <summary>Shader <c>AnatomyCarve/Carved Volume</c>: the volume in a camera's own picture.</summary>
+        public Shader CarvedVolume => carvedVolume;
 
         /// <summary>Loads the package's asset.</summary>
         /// <returns>The asset; null where it is not part of the build.</returns>

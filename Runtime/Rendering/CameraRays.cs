@@ -30,6 +30,9 @@ namespace AnatomyCarve
             return ToPictureRays(Bundle(camera.projectionMatrix, camera.cameraToWorldMatrix, volume.localToWorldMatrix, geometry, width, height));
         }
 
+        internal static PictureRayBundle Bundle(Camera camera, in VolumeInputs inputs, int width, int height) =>
+            Bundle(camera.projectionMatrix, camera.cameraToWorldMatrix, inputs.ToWorld, inputs.Volume.Geometry, width, height);
+
         internal static PictureRayBundle Bundle(
             Matrix4x4 projection, Matrix4x4 cameraToWorld, Matrix4x4 volumeToWorld, VolumeGeometry geometry, int width, int height)
         {
@@ -45,7 +48,10 @@ namespace AnatomyCarve
             VectorMm directionY = viewToLps.TransformVector(rays.DirectionPerY * (2.0 / height));
             PointMm origin = viewToLps.TransformPoint(rays.Origin - rays.OriginPerX - rays.OriginPerY);
             VectorMm direction = viewToLps.TransformVector(rays.Direction - rays.DirectionPerX - rays.DirectionPerY);
-            return new PictureRayBundle(width, height, origin, originX, originY, direction, directionX, directionY, rays.Near, rays.Far);
+            return new PictureRayBundle(
+                width, height, origin, originX, originY, direction, directionX, directionY, rays.Near, rays.Far,
+                viewToLps.TransformVector(new VectorMm(1, 0, 0)), viewToLps.TransformVector(new VectorMm(0, 1, 0)),
+                viewToLps.TransformVector(new VectorMm(0, 0, 1)));
         }
 
         static PictureRays ToPictureRays(in PictureRayBundle b) => new PictureRays(

@@ -39,13 +39,14 @@ namespace AnatomyCarve
 
         /// <summary>Uploads a volume. Nothing is computed before the first <see cref="Update"/>.</summary>
         /// <exception cref="AnatomyCarveException">A kernel or a texture could not be made.</exception>
-        public CarvePipeline(SegmentedVolume volume, AnatomyCarveShaders shaders, RenderStatistics statistics)
+        public CarvePipeline(SegmentedVolume volume, AnatomyCarveShaders shaders, TextureLayout layout, RenderStatistics statistics)
         {
             Volume = volume;
+            Layout = layout;
             this.statistics = statistics;
-            clipVoxels = new ComputeKernel(shaders.ClipVoxels, nameof(shaders.ClipVoxels));
-            antiAlias = new ComputeKernel(shaders.AntiAlias, nameof(shaders.AntiAlias));
-            sobelNormals = new ComputeKernel(shaders.SobelNormals, nameof(shaders.SobelNormals));
+            clipVoxels = new ComputeKernel(shaders.ClipVoxels, nameof(shaders.ClipVoxels), layout);
+            antiAlias = new ComputeKernel(shaders.AntiAlias, nameof(shaders.AntiAlias), layout);
+            sobelNormals = new ComputeKernel(shaders.SobelNormals, nameof(shaders.SobelNormals), layout);
             var bricks = new BrickGrid(volume.Geometry);
             constants = new VolumeConstants(volume, bricks);
             dirty = new DirtyBrickSet(bricks, constants.Grid);
@@ -58,14 +59,11 @@ namespace AnatomyCarve
 
         public SegmentedVolume Volume { get; }
 
+        /// <summary>Compact or portable.</summary>
+        public TextureLayout Layout { get; }
+
         /// <summary>Tells this pipeline from others, for those who must not hold its volume.</summary>
         public object Identity { get; } = new object();
-
-        public VolumeConstants Constants => constants;
-
-        public VolumeTextures Textures => textures;
-
-        public Texture SegmentColors => lookups.SegmentColors;
 
         /// <summary>Rises with every change of what a picture would show.</summary>
         public int Version { get; private set; }
@@ -106,6 +104,17 @@ namespace AnatomyCarve
             Version++;
         }
 
+        /// <summary>Gives all that rays read to a kernel or a material.</summary>
+        public void BindForRays<T>(T target) where T : IShaderValues
+        {
+            constants.Bind(target);
+            target.SetTexture(ShaderIds.Labels, textures.Labels);
+            target.SetTexture(ShaderIds.SegmentColors, lookups.SegmentColors);
+            target.SetTexture(ShaderIds.Opacity, textures.Opacity);
+            target.SetTexture(ShaderIds.OpacityAA, textures.OpacityAA);
+            target.SetTexture(ShaderIds.Normals, textures.Normals);
+        }
+
         public void AddSizes(List<ResourceSize> sizes)
         {
             textures.AddSizes(sizes);
@@ -129,7 +138,7 @@ namespace AnatomyCarve
             {
                 try
                 {
-                    textures = new VolumeTextures(Volume);
+                    textures = new VolumeTextures(Volume, Layout);
                     lookups = new LookupTextures(Volume.Segments.Count);
                     spheres = new SphereBuffers(new CentredGrid(Volume.Geometry), Volume.Segments.Count);
                     allBricks.Upload(allPacked, allPacked.Length);
@@ -227,7 +236,7 @@ namespace AnatomyCarve
         void Dispatch(in ComputeKernel kernel, BrickBuffer list, ref StageStatistics stage)
         {
             (int perRow, int rows) = ComputeKernel.SplitGroups(list.Count);
-            constants.Bind(kernel.Shader, list.Count, perRow);
+            constants.Bind(kernel, list.Count, perRow);
             kernel.SetBuffer(ShaderIds.Bricks, list.Buffer);
             kernel.Dispatch(perRow, rows);
             stage.Add(1, list.Count, list.Voxels);

@@ -1,19 +1,22 @@
 using System;
 using AnatomyCarve.Volumes;
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace AnatomyCarve
 {
-    /// <summary>A kernel, found once, and its dispatch over a list of bricks.</summary>
-    readonly struct ComputeKernel
+    /// <summary>A kernel in a volume's texture layout, found once, and its dispatch over a list of bricks.</summary>
+    readonly struct ComputeKernel : IShaderValues
     {
         /// <summary>The most groups that a dispatch may have along one axis, on every graphics API.</summary>
         public const int MaxGroupsPerAxis = 65535;
 
         readonly int index;
+        readonly LocalKeyword portableLayout;
+        readonly bool portable;
 
         /// <exception cref="AnatomyCarveException">The shader is missing, or the device cannot run its kernel.</exception>
-        public ComputeKernel(ComputeShader shader, string name)
+        public ComputeKernel(ComputeShader shader, string name, TextureLayout layout)
         {
             if (shader == null)
                 throw new AnatomyCarveException($"The compute shader {name} is missing in AnatomyCarveShaders.asset: reimport the package.");
@@ -21,17 +24,27 @@ namespace AnatomyCarve
                 throw new AnatomyCarveException($"The compute shader {name} has no kernel {name} on {SystemInfo.graphicsDeviceType}.");
             Shader = shader;
             index = shader.FindKernel(name);
+            portableLayout = new LocalKeyword(shader, ShaderIds.PortableLayout);
+            portable = layout == TextureLayout.Portable;
+            shader.SetKeyword(portableLayout, portable);
             if (!shader.IsSupported(index))
                 throw new AnatomyCarveException($"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) cannot run the kernel {name}.");
         }
 
         public ComputeShader Shader { get; }
 
+        public void SetVector(int id, Vector4 value) => Shader.SetVector(id, value);
+
         public void SetTexture(int id, Texture texture) => Shader.SetTexture(index, id, texture);
 
         public void SetBuffer(int id, GraphicsBuffer buffer) => Shader.SetBuffer(index, id, buffer);
 
-        public void Dispatch(int groupsX, int groupsY) => Shader.Dispatch(index, groupsX, groupsY, 1);
+        /// <summary>The shader is shared by volumes of either layout, so its keyword is set each time.</summary>
+        public void Dispatch(int groupsX, int groupsY)
+        {
+            Shader.SetKeyword(portableLayout, portable);
+            Shader.Dispatch(index, groupsX, groupsY, 1);
+        }
 
         /// <summary>How a dispatch over a number of bricks is split into rows, so that no axis has more groups than allowed.</summary>
         /// <exception cref="ArgumentOutOfRangeException">More bricks than rows of groups can hold.</exception>

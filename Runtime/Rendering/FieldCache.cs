@@ -10,13 +10,16 @@ namespace AnatomyCarve
     {
         CarvedField field;
 
-        public CarvedField Of(
-            SegmentedVolume volume, CarvingSnapshot carving, OpacityTransferFunction transferFunction, SegmentTable segments, CutMode cut,
-            AntiAliasSettings antiAliasing)
+        /// <summary>The field as it would be shown now; null where there is no volume.</summary>
+        public CarvedField Of(in VolumeInputs inputs)
         {
-            if (field == null || field.Volume != volume)
-                field = new CarvedField(volume);
-            field.Update(carving ?? (IReadOnlyList<ClipSphere>)Array.Empty<ClipSphere>(), transferFunction, segments, cut, antiAliasing);
+            if (inputs.Volume == null)
+                return null;
+            if (field == null || field.Volume != inputs.Volume)
+                field = new CarvedField(inputs.Volume);
+            field.Update(
+                inputs.Carving ?? (IReadOnlyList<ClipSphere>)Array.Empty<ClipSphere>(), inputs.TransferFunction, inputs.Segments,
+                inputs.Quality.CutMode, inputs.Quality.AntiAliasSettings);
             return field;
         }
 

@@ -3,10 +3,15 @@ using UnityEngine;
 
 namespace AnatomyCarve
 {
-    /// <summary>A renderer's place for one volume on the GPU. What the device refused is said once, and not tried again before it was released.</summary>
+    /// <summary>
+    /// A renderer's place for one volume on the GPU. What the device or the render pipeline refuses is said once; a volume that was refused is not tried
+    /// again before it was released.
+    /// </summary>
     sealed class GpuSlot
     {
         SegmentedVolume refused;
+        TextureLayout layout;
+        string volumeProblem, drawingProblem, pictureProblem;
 
         public GpuSlot(RenderStatistics statistics) => Statistics = statistics;
 
@@ -15,28 +20,74 @@ namespace AnatomyCarve
         /// <summary>What is there; null = nothing.</summary>
         public VolumeGpu Gpu { get; private set; }
 
-        /// <summary>Puts a volume there, unless it is there already; another one goes.</summary>
+        /// <summary>Why the volume, or some way of showing it, is refused, as a sentence; null = all is well as far as it was tried.</summary>
+        public string Problem => volumeProblem ?? drawingProblem ?? pictureProblem;
+
+        /// <summary>Puts a volume there, unless it is there already, and brings it up to date; another one goes.</summary>
         /// <returns>Null where there is no volume or the device cannot.</returns>
-        public VolumeGpu For(SegmentedVolume volume, Object owner)
+        public VolumeGpu Update(in VolumeInputs inputs, TextureLayout wanted, Object owner)
         {
-            KeepOnly(volume);
-            if (volume == null || volume == refused)
+            KeepOnly(inputs.Volume);
+            if (wanted != layout)
+                Release();
+            layout = wanted;
+            if (inputs.Volume == null || inputs.Volume == refused)
                 return null;
-            if (Gpu == null)
+            try
             {
-                Gpu = VolumeGpu.TryCreate(volume, Statistics, out string problem);
-                if (Gpu == null)
-                    Refuse(volume, problem, owner);
+                Gpu ??= VolumeGpu.Create(inputs.Volume, layout, Statistics);
+                Gpu.Update(inputs);
+                return Gpu;
             }
-            return Gpu;
+            catch (AnatomyCarveException e)
+            {
+                Release();
+                refused = inputs.Volume;
+                Say(ref volumeProblem, $"This volume cannot be shown. {e.Message}", owner);
+                return null;
+            }
         }
 
-        /// <summary>Takes a volume away that the device turned out not to bear.</summary>
-        public void Refuse(SegmentedVolume volume, string problem, Object owner)
+        /// <summary>Renders into a picture.</summary>
+        /// <returns>Null where the device cannot.</returns>
+        public CarvedPicture Render(in VolumeInputs inputs, in PictureRayBundle rays, bool countSamples, CarvedPicture picture, Object owner)
         {
-            Release();
-            refused = volume;
-            Debug.LogError($"{owner.name}: this volume cannot be shown. {problem}", owner);
+            string problem = DeviceSupport.MissingForPictures();
+            if (problem == null)
+            {
+                try
+                {
+                    Gpu.Render(rays, inputs.Quality, inputs.Light, countSamples, picture);
+                    return picture;
+                }
+                catch (AnatomyCarveException e)
+                {
+                    problem = e.Message;
+                }
+            }
+            Say(ref pictureProblem, $"This volume cannot be rendered into a picture. {problem}", owner);
+            return null;
+        }
+
+        /// <summary>Has cameras draw the volume, if the render pipeline allows it.</summary>
+        public void ShowOn(MeshFilter filter, MeshRenderer renderer, in VolumeInputs inputs, Object owner)
+        {
+            string problem = RenderPipelines.Problem();
+            if (problem == null)
+            {
+                try
+                {
+                    Gpu.ShowOn(filter, renderer, inputs);
+                    drawingProblem = null;
+                    return;
+                }
+                catch (AnatomyCarveException e)
+                {
+                    problem = e.Message;
+                }
+            }
+            VolumeDrawing.Clear(filter, renderer);
+            Say(ref drawingProblem, $"This volume cannot be drawn by cameras. {problem}", owner);
         }
 
         /// <summary>Lets go of every other volume.</summary>
@@ -51,6 +102,15 @@ namespace AnatomyCarve
             Gpu?.Dispose();
             Gpu = null;
             refused = null;
+            volumeProblem = drawingProblem = pictureProblem = null;
+        }
+
+        static void Say(ref string said, string problem, Object owner)
+        {
+            if (said == problem)
+                return;
+            said = problem;
+            Debug.LogError($"{owner.name}: {char.ToLowerInvariant(problem[0])}{problem.Substring(1)}", owner);
         }
     }
 }

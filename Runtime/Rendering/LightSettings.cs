@@ -78,6 +78,17 @@ namespace AnatomyCarve
             set => shininess = SettingRange.Checked(value, 1f, 256f, nameof(Shininess));
         }
 
+        /// <summary>Sets what does not depend on the viewer: the rows <c>_LightColor</c> and <c>_Shading</c> of <c>Shaders/VolumeLayout.hlsl</c>.</summary>
+        internal void Bind<T>(T target) where T : IShaderValues
+        {
+            Color linear = color.linear;
+            target.SetVector(ShaderIds.LightColor, new Vector4(linear.r, linear.g, linear.b, 0f));
+            target.SetVector(ShaderIds.Shading, Shading);
+        }
+
+        /// <summary>The row <c>_Shading</c>.</summary>
+        internal Vector4 Shading => new Vector4(ambient, diffuse, specular, shininess);
+
         internal void Clamp()
         {
             if (!(direction.magnitude > 0f))

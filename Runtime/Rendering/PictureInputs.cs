@@ -25,7 +25,7 @@ namespace AnatomyCarve
             march = quality.March;
             lightDirection = light.Direction;
             lightColor = light.Color;
-            shading = new Vector4(light.Ambient, light.Diffuse, light.Specular, light.Shininess);
+            shading = light.Shading;
             this.countSamples = countSamples;
             this.sceneDepth = sceneDepth != null ? sceneDepth : null; // a destroyed one is none
         }

@@ -13,7 +13,7 @@ namespace AnatomyCarve
     {
         public PictureRayBundle(
             int width, int height, PointMm origin, VectorMm originDx, VectorMm originDy, VectorMm direction, VectorMm directionDx, VectorMm directionDy,
-            double nearT, double farT)
+            double nearT, double farT, VectorMm right, VectorMm up, VectorMm backward)
         {
             Width = width;
             Height = height;
@@ -25,12 +25,23 @@ namespace AnatomyCarve
             DirectionDy = directionDy;
             NearT = nearT;
             FarT = farT;
+            Right = right;
+            Up = up;
+            Backward = backward;
         }
 
+        /// <summary>Rays without a camera: the viewer's axes are those of the ray in the picture's middle.</summary>
         public PictureRayBundle(PictureRays rays)
             : this(rays.Width, rays.Height, rays.Origin, rays.OriginDx, rays.OriginDy, rays.Direction, rays.DirectionDx, rays.DirectionDy,
-                rays.NearT, rays.FarT)
+                rays.NearT, rays.FarT, default, default, default)
         {
+            VectorMm middle = Direction + 0.5 * Width * DirectionDx + 0.5 * Height * DirectionDy;
+            Backward = (-middle).Normalized();
+            VectorMm across = OriginDx + DirectionDx;
+            Right = (across - VectorMm.Dot(across, Backward) * Backward).Normalized();
+            VectorMm upward = OriginDy + DirectionDy;
+            upward -= VectorMm.Dot(upward, Backward) * Backward;
+            Up = (upward - VectorMm.Dot(upward, Right) * Right).Normalized();
         }
 
         public int Width { get; }
@@ -53,21 +64,20 @@ namespace AnatomyCarve
 
         public double FarT { get; }
 
-        /// <summary>The viewer's right, up and backward axes as unit vectors, from the ray in the picture's middle.</summary>
-        public void ViewAxes(out VectorMm right, out VectorMm up, out VectorMm backward)
-        {
-            VectorMm middle = Direction + 0.5 * Width * DirectionDx + 0.5 * Height * DirectionDy;
-            backward = (-middle).Normalized();
-            VectorMm across = OriginDx + DirectionDx;
-            right = (across - VectorMm.Dot(across, backward) * backward).Normalized();
-            VectorMm upward = OriginDy + DirectionDy;
-            upward -= VectorMm.Dot(upward, backward) * backward;
-            up = (upward - VectorMm.Dot(upward, right) * right).Normalized();
-        }
+        /// <summary>The viewer's axes, equally long in the world.</summary>
+        public VectorMm Right { get; }
+
+        public VectorMm Up { get; }
+
+        public VectorMm Backward { get; }
+
+        /// <summary>The unit vector of a direction that is given by the viewer's axes.</summary>
+        public VectorMm TowardsLight(Vector3 direction) => (direction.x * Right + direction.y * Up + direction.z * Backward).Normalized();
 
         public bool Equals(PictureRayBundle other) => Width == other.Width && Height == other.Height && Origin == other.Origin
             && OriginDx == other.OriginDx && OriginDy == other.OriginDy && Direction == other.Direction
-            && DirectionDx == other.DirectionDx && DirectionDy == other.DirectionDy && NearT.Equals(other.NearT) && FarT.Equals(other.FarT);
+            && DirectionDx == other.DirectionDx && DirectionDy == other.DirectionDy && NearT.Equals(other.NearT) && FarT.Equals(other.FarT)
+            && Right == other.Right && Up == other.Up && Backward == other.Backward;
 
         public override bool Equals(object obj) => obj is PictureRayBundle other && Equals(other);
 

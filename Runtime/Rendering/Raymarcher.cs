@@ -20,10 +20,10 @@ namespace AnatomyCarve
         Texture2D noSceneDepth;
 
         /// <exception cref="AnatomyCarveException">The kernel could not be made.</exception>
-        public Raymarcher(AnatomyCarveShaders shaders, RenderStatistics statistics)
+        public Raymarcher(AnatomyCarveShaders shaders, TextureLayout layout, RenderStatistics statistics)
         {
             this.statistics = statistics;
-            kernel = new ComputeKernel(shaders.Raymarch, nameof(shaders.Raymarch));
+            kernel = new ComputeKernel(shaders.Raymarch, nameof(shaders.Raymarch), layout);
         }
 
         /// <summary>Writes a picture, unless it already shows just that.</summary>
@@ -40,11 +40,12 @@ namespace AnatomyCarve
             using (Marker.Auto())
             {
                 picture.ClearSampleCounts();
-                pipeline.Constants.Bind(kernel.Shader, 0, 1);
+                pipeline.BindForRays(kernel);
                 SetView(rays, shown.HaveSceneDepth, pipeline.Volume.Geometry.CentreLps);
-                kernel.Shader.SetVector(ShaderIds.March, quality.March);
-                SetLight(rays, light);
-                SetTextures(pipeline, picture);
+                kernel.SetVector(ShaderIds.March, quality.March);
+                light.Bind(kernel);
+                kernel.SetVector(ShaderIds.LightDirection, PictureRayBundle.ToFloat(rays.TowardsLight(light.Direction)));
+                SetTargets(picture);
                 if (countSamples)
                     kernel.Shader.EnableKeyword(ShaderIds.CountSamples);
                 else
@@ -70,34 +71,17 @@ namespace AnatomyCarve
             pictureSize[1] = rays.Height;
             pictureSize[2] = sceneDepth ? 1 : 0;
             kernel.Shader.SetInts(ShaderIds.PictureSize, pictureSize);
-            kernel.Shader.SetVector(ShaderIds.RayOrigin, PictureRayBundle.ToFloat(rays.Origin - centre));
-            kernel.Shader.SetVector(ShaderIds.RayOriginDx, PictureRayBundle.ToFloat(rays.OriginDx));
-            kernel.Shader.SetVector(ShaderIds.RayOriginDy, PictureRayBundle.ToFloat(rays.OriginDy));
-            kernel.Shader.SetVector(ShaderIds.RayDirection, PictureRayBundle.ToFloat(rays.Direction));
-            kernel.Shader.SetVector(ShaderIds.RayDirectionDx, PictureRayBundle.ToFloat(rays.DirectionDx));
-            kernel.Shader.SetVector(ShaderIds.RayDirectionDy, PictureRayBundle.ToFloat(rays.DirectionDy));
-            kernel.Shader.SetVector(ShaderIds.RayRange, new Vector4((float)rays.NearT, (float)Math.Min(rays.FarT, Furthest), 0f, 0f));
+            kernel.SetVector(ShaderIds.RayOrigin, PictureRayBundle.ToFloat(rays.Origin - centre));
+            kernel.SetVector(ShaderIds.RayOriginDx, PictureRayBundle.ToFloat(rays.OriginDx));
+            kernel.SetVector(ShaderIds.RayOriginDy, PictureRayBundle.ToFloat(rays.OriginDy));
+            kernel.SetVector(ShaderIds.RayDirection, PictureRayBundle.ToFloat(rays.Direction));
+            kernel.SetVector(ShaderIds.RayDirectionDx, PictureRayBundle.ToFloat(rays.DirectionDx));
+            kernel.SetVector(ShaderIds.RayDirectionDy, PictureRayBundle.ToFloat(rays.DirectionDy));
+            kernel.SetVector(ShaderIds.RayRange, new Vector4((float)rays.NearT, (float)Math.Min(rays.FarT, Furthest), 0f, 0f));
         }
 
-        void SetLight(in PictureRayBundle rays, LightSettings light)
+        void SetTargets(CarvedPicture picture)
         {
-            rays.ViewAxes(out VectorMm right, out VectorMm up, out VectorMm backward);
-            Vector3 d = light.Direction;
-            VectorMm towardsLight = (d.x * right + d.y * up + d.z * backward).Normalized();
-            Color linear = light.Color.linear;
-            kernel.Shader.SetVector(ShaderIds.LightDirection, PictureRayBundle.ToFloat(towardsLight));
-            kernel.Shader.SetVector(ShaderIds.LightColor, new Vector4(linear.r, linear.g, linear.b, 0f));
-            kernel.Shader.SetVector(ShaderIds.Shading, new Vector4(light.Ambient, light.Diffuse, light.Specular, light.Shininess));
-        }
-
-        void SetTextures(CarvePipeline pipeline, CarvedPicture picture)
-        {
-            VolumeTextures textures = pipeline.Textures;
-            kernel.SetTexture(ShaderIds.Labels, textures.Labels);
-            kernel.SetTexture(ShaderIds.SegmentColors, pipeline.SegmentColors);
-            kernel.SetTexture(ShaderIds.Opacity, textures.Opacity);
-            kernel.SetTexture(ShaderIds.OpacityAA, textures.OpacityAA);
-            kernel.SetTexture(ShaderIds.Normals, textures.Normals);
             kernel.SetTexture(ShaderIds.SceneDepth, picture.SceneDepth != null ? picture.SceneDepth : NoSceneDepth());
             kernel.SetTexture(ShaderIds.ColorOut, picture.ColorTexture);
             kernel.SetTexture(ShaderIds.DepthOut, picture.DepthTexture);

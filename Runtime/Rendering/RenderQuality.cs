@@ -62,7 +62,7 @@ namespace AnatomyCarve
         public CutMode CutMode
         {
             get => cutMode;
-            set => cutMode = Enum.IsDefined(typeof(CutMode), value) ? value : throw new ArgumentOutOfRangeException(nameof(value), value, "No such cut mode.");
+            set => cutMode = SettingRange.Defined(value, nameof(CutMode));
         }
 
         /// <summary>How much of the 3D anti-aliasing is applied, 0 (none) to 1.</summary>
@@ -94,9 +94,7 @@ namespace AnatomyCarve
         public OpacityFilter Filter
         {
             get => filter;
-            set => filter = Enum.IsDefined(typeof(OpacityFilter), value)
-                ? value
-                : throw new ArgumentOutOfRangeException(nameof(value), value, "No such filter.");
+            set => filter = SettingRange.Defined(value, nameof(Filter));
         }
 
         /// <summary>The names that <see cref="Named"/> knows, from the cheapest to the best.</summary>

@@ -66,6 +66,9 @@ namespace AnatomyCarve
         /// <summary>Volume kernels dispatched (all but <c>Raymarch</c>). It stands still while nothing changes.</summary>
         public int VolumeDispatches => clipVoxels.Dispatches + antiAlias.Dispatches + sobelNormals.Dispatches;
 
+        /// <summary>How the volume lies in textures; <see cref="TextureLayout.Automatic"/> while none is on the GPU.</summary>
+        public TextureLayout Layout => Source == null ? TextureLayout.Automatic : Source.Layout;
+
         /// <summary>What the renderer holds on the GPU now, resource by resource. Each call lists anew, so do not ask every frame.</summary>
         public IReadOnlyList<ResourceSize> Resources
         {

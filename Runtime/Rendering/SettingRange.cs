@@ -2,7 +2,7 @@ using System;
 
 namespace AnatomyCarve
 {
-    /// <summary>The check of a setting that has a range.</summary>
+    /// <summary>The checks of settings.</summary>
     static class SettingRange
     {
         /// <returns>The value.</returns>
@@ -10,5 +10,11 @@ namespace AnatomyCarve
         public static float Checked(float value, float min, float max, string name) => value >= min && value <= max
             ? value
             : throw new ArgumentOutOfRangeException(name, value, FormattableString.Invariant($"{name} is {min} to {max}."));
+
+        /// <returns>The value.</returns>
+        /// <exception cref="ArgumentOutOfRangeException">The enum has no such value.</exception>
+        public static T Defined<T>(T value, string name) where T : struct, Enum => Enum.IsDefined(typeof(T), value)
+            ? value
+            : throw new ArgumentOutOfRangeException(name, value, $"{name} is {string.Join(", ", Enum.GetNames(typeof(T)))}.");
     }
 }

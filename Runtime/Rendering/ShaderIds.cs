@@ -2,10 +2,11 @@ using UnityEngine;
 
 namespace AnatomyCarve
 {
-    /// <summary>The names in <c>Shaders/VolumeLayout.hlsl</c> and <c>Shaders/Raymarch.hlsl</c>, as Unity's property ids.</summary>
+    /// <summary>The names in <c>Shaders/</c>, as Unity's property ids.</summary>
     static class ShaderIds
     {
         public const string CountSamples = "COUNT_SAMPLES";
+        public const string PortableLayout = "PORTABLE_LAYOUT";
 
         public static readonly int Bricks = Shader.PropertyToID("_Bricks");
         public static readonly int Spheres = Shader.PropertyToID("_Spheres");

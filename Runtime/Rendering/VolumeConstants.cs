@@ -8,14 +8,13 @@ namespace AnatomyCarve
     sealed class VolumeConstants
     {
         readonly SegmentedVolume volume;
-        readonly int[] dims = new int[4];
-        readonly int[] brickGrid = new int[4];
-        readonly int[] counts = new int[4];
+        readonly Vector4 dims, brickGrid;
         readonly Vector4 indexToMm0, indexToMm1, indexToMm2;
         readonly Vector4 mmToIndex0, mmToIndex1, mmToIndex2;
         readonly Vector4 centreIndex;
         OpacityTransferFunction lookedUp;
         Vector4 intensityToLookup;
+        Vector4 counts;
         Vector4 antiAlias;
 
         public VolumeConstants(SegmentedVolume volume, BrickGrid bricks)
@@ -23,12 +22,8 @@ namespace AnatomyCarve
             this.volume = volume;
             VolumeGeometry geometry = volume.Geometry;
             Grid = new CentredGrid(geometry);
-            dims[0] = geometry.SizeI;
-            dims[1] = geometry.SizeJ;
-            dims[2] = geometry.SizeK;
-            brickGrid[0] = bricks.BricksX;
-            brickGrid[1] = bricks.BricksY;
-            brickGrid[2] = bricks.BricksZ;
+            dims = new Vector4(geometry.SizeI, geometry.SizeJ, geometry.SizeK, 0f);
+            brickGrid = new Vector4(bricks.BricksX, bricks.BricksY, bricks.BricksZ, 0f);
             indexToMm0 = new Vector4(Grid[0, 0], Grid[0, 1], Grid[0, 2], 0f);
             indexToMm1 = new Vector4(Grid[1, 0], Grid[1, 1], Grid[1, 2], 0f);
             indexToMm2 = new Vector4(Grid[2, 0], Grid[2, 1], Grid[2, 2], 0f);
@@ -49,31 +44,29 @@ namespace AnatomyCarve
                 intensityToLookup = new Vector4(lookup.Scale, lookup.Offset, OpacityLookup.LastEntry, 0f);
                 lookedUp = transferFunction;
             }
-            counts[0] = spheres.Count;
-            counts[1] = spheres.WordsPerMask;
-            counts[2] = volume.Segments.Count;
-            counts[3] = cut == CutMode.Smooth ? 1 : 0;
+            counts = new Vector4(spheres.Count, spheres.WordsPerMask, volume.Segments.Count, cut == CutMode.Smooth ? 1f : 0f);
             antiAlias = new Vector4(antiAliasing.ThresholdAbsolute, antiAliasing.ThresholdRelative, antiAliasing.GradientMinimum, antiAliasing.Strength);
         }
 
-        /// <summary>Sets all of it on a shader, which other volumes use too. <paramref name="bricks"/> 0 = the kernel works on no bricks.</summary>
-        public void Bind(ComputeShader shader, int bricks, int groupsPerRow)
+        /// <summary>Sets all of it for a kernel that works on bricks. Other volumes use its shader too.</summary>
+        public void Bind<T>(T target, int bricks, int groupsPerRow) where T : IShaderValues
         {
-            dims[3] = bricks;
-            brickGrid[3] = groupsPerRow;
-            shader.SetInts(ShaderIds.VolumeDims, dims);
-            shader.SetInts(ShaderIds.BrickGrid, brickGrid);
-            shader.SetInts(ShaderIds.CarveCounts, counts);
-            shader.SetVector(ShaderIds.IndexToMm0, indexToMm0);
-            shader.SetVector(ShaderIds.IndexToMm1, indexToMm1);
-            shader.SetVector(ShaderIds.IndexToMm2, indexToMm2);
-            shader.SetVector(ShaderIds.MmToIndex0, mmToIndex0);
-            shader.SetVector(ShaderIds.MmToIndex1, mmToIndex1);
-            shader.SetVector(ShaderIds.MmToIndex2, mmToIndex2);
-            shader.SetVector(ShaderIds.CentreIndex, centreIndex);
-            shader.SetVector(ShaderIds.IntensityToLookup, intensityToLookup);
-            shader.SetVector(ShaderIds.AntiAlias, antiAlias);
+            target.SetVector(ShaderIds.VolumeDims, new Vector4(dims.x, dims.y, dims.z, bricks));
+            target.SetVector(ShaderIds.BrickGrid, new Vector4(brickGrid.x, brickGrid.y, brickGrid.z, groupsPerRow));
+            target.SetVector(ShaderIds.CarveCounts, counts);
+            target.SetVector(ShaderIds.IndexToMm0, indexToMm0);
+            target.SetVector(ShaderIds.IndexToMm1, indexToMm1);
+            target.SetVector(ShaderIds.IndexToMm2, indexToMm2);
+            target.SetVector(ShaderIds.MmToIndex0, mmToIndex0);
+            target.SetVector(ShaderIds.MmToIndex1, mmToIndex1);
+            target.SetVector(ShaderIds.MmToIndex2, mmToIndex2);
+            target.SetVector(ShaderIds.CentreIndex, centreIndex);
+            target.SetVector(ShaderIds.IntensityToLookup, intensityToLookup);
+            target.SetVector(ShaderIds.AntiAlias, antiAlias);
         }
+
+        /// <summary>Sets all of it for what works on rays.</summary>
+        public void Bind<T>(T target) where T : IShaderValues => Bind(target, 0, 1);
 
         static Vector4 Row(Affine matrix, int row) => new Vector4((float)matrix[row, 0], (float)matrix[row, 1], (float)matrix[row, 2], 0f);
     }

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using AnatomyCarve.Carving;
 using AnatomyCarve.Volumes;
 using UnityEngine;
 
@@ -9,57 +8,67 @@ namespace AnatomyCarve
     /// <summary>All that a renderer has on the GPU for one volume: made together, freed together.</summary>
     sealed class VolumeGpu : IDisposable
     {
+        readonly AnatomyCarveShaders shaders;
         readonly CarvePipeline pipeline;
-        readonly Raymarcher raymarcher;
         readonly RenderStatistics statistics;
+        Raymarcher raymarcher;
+        VolumeDrawing drawing;
 
-        VolumeGpu(SegmentedVolume volume, AnatomyCarveShaders shaders, RenderStatistics statistics)
+        VolumeGpu(SegmentedVolume volume, AnatomyCarveShaders shaders, TextureLayout layout, RenderStatistics statistics)
         {
+            this.shaders = shaders;
             this.statistics = statistics;
-            raymarcher = new Raymarcher(shaders, statistics);
-            pipeline = new CarvePipeline(volume, shaders, statistics);
+            pipeline = new CarvePipeline(volume, shaders, layout, statistics);
             statistics.Source = this;
         }
 
         public SegmentedVolume Volume => pipeline.Volume;
 
+        /// <summary>Compact or portable.</summary>
+        public TextureLayout Layout => pipeline.Layout;
+
         public PictureCache Pictures { get; } = new PictureCache();
 
         /// <summary>Puts a volume on the GPU.</summary>
-        /// <param name="problem">Why it cannot be done on this device, as a sentence.</param>
-        /// <returns>Null where there is a problem.</returns>
-        public static VolumeGpu TryCreate(SegmentedVolume volume, RenderStatistics statistics, out string problem)
+        /// <param name="layout">How its textures are to lie; automatic = as the device can write them.</param>
+        /// <exception cref="AnatomyCarveException">It cannot be done on this device; the message says why.</exception>
+        public static VolumeGpu Create(SegmentedVolume volume, TextureLayout layout, RenderStatistics statistics)
         {
-            problem = DeviceSupport.Missing(volume.Geometry, volume.Segments.Count);
+            layout = DeviceSupport.Choose(layout);
+            string problem = DeviceSupport.Missing(volume.Geometry, layout);
             if (problem != null)
-                return null;
+                throw new AnatomyCarveException(problem);
             AnatomyCarveShaders shaders = AnatomyCarveShaders.Load();
             if (shaders == null)
-            {
-                problem = "Runtime/Resources/AnatomyCarveShaders.asset is missing in this build.";
-                return null;
-            }
+                throw new AnatomyCarveException("Runtime/Resources/AnatomyCarveShaders.asset is missing in this build.");
             try
             {
-                return new VolumeGpu(volume, shaders, statistics);
-            }
-            catch (AnatomyCarveException e)
-            {
-                problem = e.Message;
-                return null;
+                return new VolumeGpu(volume, shaders, layout, statistics);
             }
             catch (Exception e) when (e is ArgumentException || e is UnityException || e is OutOfMemoryException)
             {
-                problem = $"The device could not take it: {e.Message}";
-                return null;
+                throw new AnatomyCarveException($"The device could not take it: {e.Message}", e);
             }
         }
 
-        public void Update(CarvingSnapshot carving, OpacityTransferFunction transferFunction, SegmentTable segments, RenderQuality quality) =>
-            pipeline.Update(carving, transferFunction, segments, quality.CutMode, quality.AntiAliasSettings);
+        /// <summary>Recomputes what changed.</summary>
+        /// <exception cref="AnatomyCarveException">The device could not make what is needed.</exception>
+        public void Update(in VolumeInputs inputs) => pipeline.Update(
+            inputs.Carving, inputs.TransferFunction, inputs.Segments, inputs.Quality.CutMode, inputs.Quality.AntiAliasSettings);
 
-        public void Render(in PictureRayBundle rays, RenderQuality quality, LightSettings light, bool countSamples, CarvedPicture picture) =>
+        /// <exception cref="AnatomyCarveException">The device cannot make pictures.</exception>
+        public void Render(in PictureRayBundle rays, RenderQuality quality, LightSettings light, bool countSamples, CarvedPicture picture)
+        {
+            raymarcher ??= new Raymarcher(shaders, pipeline.Layout, statistics);
             raymarcher.Render(pipeline, rays, quality, light, countSamples, picture);
+        }
+
+        /// <exception cref="AnatomyCarveException">The device cannot run the shader.</exception>
+        public void ShowOn(MeshFilter filter, MeshRenderer renderer, in VolumeInputs inputs)
+        {
+            drawing ??= new VolumeDrawing(shaders, pipeline);
+            drawing.ShowOn(filter, renderer, inputs);
+        }
 
         public void AddSizes(List<ResourceSize> sizes)
         {
@@ -70,7 +79,8 @@ namespace AnatomyCarve
         public void Dispose()
         {
             pipeline.Dispose();
-            raymarcher.Dispose();
+            raymarcher?.Dispose();
+            drawing?.Dispose();
             Pictures.Dispose();
             statistics.Source = null;
         }

@@ -8,34 +8,38 @@ using UnityEngine.Rendering;
 namespace AnatomyCarve
 {
     /// <summary>
-    /// A volume's 3D textures (layout "compact"): intensity R16_UNorm and labels R8_UInt (R16_UInt above 255 segments), uploaded once;
-    /// opacity R8_UNorm, anti-aliased opacity R8_UNorm and normals R8G8_UNorm, written by the kernels.
+    /// A volume's 3D textures: intensity R16_UInt and labels R8_UInt (R16_UInt above 255 segments), uploaded once; opacity, anti-aliased opacity and
+    /// normals, written by the kernels, in one of the layouts of <c>Shaders/VolumeFields.hlsl</c>.
     /// </summary>
     sealed class VolumeTextures : IDisposable
     {
         /// <summary>Up to this many segments have their labels in 8 bits.</summary>
         public const int MaxSegmentsIn8Bits = 255;
 
+        /// <summary>Voxels along k that share a texel of the portable layout.</summary>
+        const int OpacitiesPerTexel = 4, NormalsPerTexel = 2;
+
         readonly VolumeGeometry geometry;
 
-        public VolumeTextures(SegmentedVolume volume)
+        public VolumeTextures(SegmentedVolume volume, TextureLayout layout)
         {
             geometry = volume.Geometry;
             try
             {
-                Intensity = Create("intensity", GraphicsFormat.R16_UNorm);
+                Intensity = Create("intensity", GraphicsFormat.R16_UInt);
                 Intensity.SetPixelData(volume.Intensity.Codes, 0);
                 Intensity.Apply(false, true);
-                bool small = volume.Segments.Count <= MaxSegmentsIn8Bits;
+                bool small = DeviceSupport.LabelsIn8Bits(volume.Segments.Count);
                 Labels = Create("labels", small ? GraphicsFormat.R8_UInt : GraphicsFormat.R16_UInt);
                 if (small)
                     LabelBytes.Narrow(volume.Labels.Indices, Labels.GetPixelData<byte>(0).AsSpan());
                 else
                     Labels.SetPixelData(volume.Labels.Indices, 0);
                 Labels.Apply(false, true);
-                Opacity = CreateWritable("opacity", GraphicsFormat.R8_UNorm);
-                OpacityAA = CreateWritable("anti-aliased opacity", GraphicsFormat.R8_UNorm);
-                Normals = CreateWritable("normals", GraphicsFormat.R8G8_UNorm);
+                bool packed = layout == TextureLayout.Portable;
+                Opacity = CreateWritable("opacity", packed ? GraphicsFormat.R32_UInt : GraphicsFormat.R8_UNorm, packed ? OpacitiesPerTexel : 1);
+                OpacityAA = CreateWritable("anti-aliased opacity", packed ? GraphicsFormat.R32_UInt : GraphicsFormat.R8_UNorm, packed ? OpacitiesPerTexel : 1);
+                Normals = CreateWritable("normals", packed ? GraphicsFormat.R32_UInt : GraphicsFormat.R8G8_UNorm, packed ? NormalsPerTexel : 1);
             }
             catch
             {
@@ -65,9 +69,9 @@ namespace AnatomyCarve
             long voxels = geometry.VoxelCount;
             sizes.Add(new ResourceSize(Intensity.name, 2 * voxels));
             sizes.Add(new ResourceSize(Labels.name, (Labels.graphicsFormat == GraphicsFormat.R8_UInt ? 1 : 2) * voxels));
-            sizes.Add(new ResourceSize(Opacity.name, voxels));
-            sizes.Add(new ResourceSize(OpacityAA.name, voxels));
-            sizes.Add(new ResourceSize(Normals.name, 2 * voxels));
+            sizes.Add(SizeOf(Opacity));
+            sizes.Add(SizeOf(OpacityAA));
+            sizes.Add(SizeOf(Normals));
         }
 
         public void Dispose()
@@ -77,6 +81,12 @@ namespace AnatomyCarve
             GpuObjects.Destroy(Opacity);
             GpuObjects.Destroy(OpacityAA);
             GpuObjects.Destroy(Normals);
+        }
+
+        static ResourceSize SizeOf(RenderTexture texture)
+        {
+            int bytes = texture.graphicsFormat == GraphicsFormat.R8_UNorm ? 1 : texture.graphicsFormat == GraphicsFormat.R8G8_UNorm ? 2 : 4;
+            return new ResourceSize(texture.name, (long)bytes * texture.width * texture.height * texture.volumeDepth);
         }
 
         static bool Restore(RenderTexture texture)
@@ -101,16 +111,16 @@ namespace AnatomyCarve
             return texture;
         }
 
-        RenderTexture CreateWritable(string name, GraphicsFormat format)
+        RenderTexture CreateWritable(string name, GraphicsFormat format, int voxelsPerTexel)
         {
             var descriptor = new RenderTextureDescriptor(geometry.SizeI, geometry.SizeJ, format, 0)
             {
                 dimension = TextureDimension.Tex3D,
-                volumeDepth = geometry.SizeK,
+                volumeDepth = (geometry.SizeK + voxelsPerTexel - 1) / voxelsPerTexel,
                 enableRandomWrite = true,
                 msaaSamples = 1,
             };
-            return GpuObjects.CreateWritable(descriptor, "AnatomyCarve " + name, FilterMode.Bilinear);
+            return GpuObjects.CreateWritable(descriptor, "AnatomyCarve " + name, voxelsPerTexel == 1 ? FilterMode.Bilinear : FilterMode.Point);
         }
     }
 }

@@ -22,9 +22,10 @@ namespace AnatomyCarve.Headless.Cli.Commands
                 FileOption("--labels", "The segmentation on the same grid: .seg.nrrd, .nrrd, .nii or .nii.gz. Without it all is one unlabelled segment.");
             var transfer = new Option<string>("--tf")
             {
-                HelpName = "FILE|value:opacity,...",
+                HelpName = "FILE|value:opacity,...|PRESET",
                 Description = "The opacity of intensities: a volume property file of 3D Slicer (.vp), or points with straight lines between them, "
-                    + "such as \"-200:0,100:0,300:0.9\". Opacity is per smallest voxel spacing. Without it: chosen from the values.",
+                    + "such as \"-200:0,100:0,300:0.9\", or one of the package's presets, such as CT-Bone (a wrong name lists them). "
+                    + "Opacity is per smallest voxel spacing. Without it: chosen from the values.",
             };
             var carving = FileOption("--carving", "The clip spheres, as ClipSphereStack saves them (JSON). Without it nothing is carved.");
             var camera = new Option<string>("--camera")
@@ -79,12 +80,14 @@ namespace AnatomyCarve.Headless.Cli.Commands
                 + "report), 65535 where nothing is visible.", ".pgm");
             var report = FileOption("--report",
                 "Also write a report: visible pixels of each segment, voxels and samples of each stage, memory, times, device (JSON).", ".json");
+            var drawn = new DrawnOptions();
             var noProgress = new Option<bool>("--no-progress") { Description = "No progress bars." };
 
             var command = new Command("render", "Renders a volume, carved, to a PNG. Files are written when all of it is done, or not at all.")
             {
                 volume, labels, transfer, carving, camera, size, quality, cut, antiAliasing, background, output, depth, segments, report, noProgress,
             };
+            drawn.AddTo(command);
             command.SetAction((parsed, cancellation) =>
             {
                 var request = new RenderRequest
@@ -103,6 +106,9 @@ namespace AnatomyCarve.Headless.Cli.Commands
                     DepthPath = parsed.GetValue(depth),
                     SegmentsPath = parsed.GetValue(segments),
                     ReportPath = parsed.GetValue(report),
+                    DrawnPath = parsed.GetValue(drawn.Picture),
+                    DrawnDepthPath = parsed.GetValue(drawn.Depth),
+                    Project = drawn.Project(parsed, parsed.GetValue(size)),
                 };
                 var configuration = parsed.InvocationConfiguration;
                 RenderJob.Run(request, configuration.Output, configuration.Error, !parsed.GetValue(noProgress), cancellation);
@@ -111,7 +117,7 @@ namespace AnatomyCarve.Headless.Cli.Commands
             return command;
         }
 
-        static Option<string> FileOption(string name, string description, string extension = null)
+        internal static Option<string> FileOption(string name, string description, string extension = null)
         {
             var option = new Option<string>(name) { HelpName = "FILE", Description = description };
             if (extension == null) return option;

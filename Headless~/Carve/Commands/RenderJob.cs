@@ -1,11 +1,13 @@
 using System;
 using System.IO;
+using System.Linq;
 using System.Text;
 using System.Threading;
 using AnatomyCarve.Formats;
 using AnatomyCarve.Headless.Cli.Files;
 using AnatomyCarve.Volumes;
 using UnityEngine;
+using UnityEngine.Experimental.Rendering;
 
 namespace AnatomyCarve.Headless.Cli.Commands
 {
@@ -28,7 +30,7 @@ namespace AnatomyCarve.Headless.Cli.Commands
             {
                 ProgressBars.Show(error, showProgress, bars =>
                 {
-                    using var scene = bars.Step("starting", _ => times.Measure("start", () => new RenderScene(warnings)));
+                    using var scene = bars.Step("starting", _ => times.Measure("start", () => new RenderScene(request.Project, warnings)));
                     bars.Step("reading", progress => times.Measure("read", () => scene.Load(request.VolumePath, request.LabelsPath, progress, cancellation)));
                     var camera = exactCamera ?? PerspectiveCamera.Around(scene.Loader.Volume.Geometry, orbit, request.Size);
                     Render(request, scene, camera, transferFunction, warnings, bars, times, cancellation);
@@ -60,11 +62,15 @@ namespace AnatomyCarve.Headless.Cli.Commands
                 if (rendered == null) throw new CommandException("there was nothing to render.");
                 return (rendered.Read(), rendered.ReadSampleCount());
             }));
+            DrawnView.Picture? drawn = request.IsDrawn
+                ? bars.Step("drawing", _ => times.Measure("draw", () => DrawnView.Draw(scene, request, camera)))
+                : null;
             scene.ThrowIfFailed();
             cancellation.ThrowIfCancellationRequested();
 
             using var outputs = new OutputSet();
             bars.Step("writing", _ => times.Measure("write", () => AddPictures(outputs, request, picture)));
+            if (drawn is { } view) AddDrawn(outputs, request, view);
             if (request.ReportPath != null)
             {
                 var report = Json.Text(RenderReport.Make(request, scene, camera, picture, samples, warnings.Lines, times.Milliseconds)) + "\n";
@@ -80,7 +86,17 @@ namespace AnatomyCarve.Headless.Cli.Commands
             if (text == null) return null;
             if (File.Exists(text)) return TransferFunctionFile.Read(text);
             if (Directory.Exists(text)) throw new CommandException($"--tf \"{text}\": this is a folder, not a file to read.");
-            if (!text.Contains(':')) throw new CommandException($"--tf \"{text}\": neither a file nor value:opacity,value:opacity,...");
+            if (TransferFunctionPresets.Names.FirstOrDefault(name => name.Equals(text, StringComparison.OrdinalIgnoreCase)) is { } preset)
+            {
+                return TransferFunctionPresets.Named(preset);
+            }
+
+            if (!text.Contains(':'))
+            {
+                throw new CommandException($"--tf \"{text}\": neither a file, nor value:opacity,value:opacity,..., nor one of the presets "
+                    + $"{string.Join(", ", TransferFunctionPresets.Names)}.");
+            }
+
             try
             {
                 return OpacityTransferFunction.Parse(text);
@@ -97,22 +113,39 @@ namespace AnatomyCarve.Headless.Cli.Commands
             outputs.Add(request.OutputPath, stream => stream.Write(picture.EncodeToPng(behind)));
             if (request.DepthPath != null)
             {
-                outputs.Add(request.DepthPath, stream => PfmFile.Write(stream, picture.Width, picture.Height, FromTop(picture, picture.DepthMm)));
+                outputs.Add(request.DepthPath,
+                    stream => PfmFile.Write(stream, picture.Width, picture.Height, FromTop(picture.DepthMm, picture.Width, picture.Height)));
             }
 
             if (request.SegmentsPath != null)
             {
-                outputs.Add(request.SegmentsPath, stream => PgmFile.Write(stream, picture.Width, picture.Height, FromTop(picture, picture.Segments)));
+                outputs.Add(request.SegmentsPath,
+                    stream => PgmFile.Write(stream, picture.Width, picture.Height, FromTop(picture.Segments, picture.Width, picture.Height)));
+            }
+        }
+
+        static void AddDrawn(OutputSet outputs, RenderRequest request, DrawnView.Picture drawn)
+        {
+            var (width, height) = (drawn.Width, drawn.Height);
+            if (request.DrawnPath != null)
+            {
+                outputs.Add(request.DrawnPath, stream =>
+                    stream.Write(ImageConversion.EncodeArrayToPNG(drawn.Rgba, GraphicsFormat.R8G8B8A8_SRGB, (uint)width, (uint)height)));
+            }
+
+            if (request.DrawnDepthPath != null)
+            {
+                outputs.Add(request.DrawnDepthPath, stream => PfmFile.Write(stream, width, height, FromTop(drawn.DepthMm, width, height)));
             }
         }
 
         // The package's pictures begin with the bottom row, as Unity's textures do.
-        static T[] FromTop<T>(PictureData picture, T[] fromBottom)
+        static T[] FromTop<T>(T[] fromBottom, int width, int height)
         {
             var fromTop = new T[fromBottom.Length];
-            for (var row = 0; row < picture.Height; row++)
+            for (var row = 0; row < height; row++)
             {
-                Array.Copy(fromBottom, row * picture.Width, fromTop, (picture.Height - 1 - row) * picture.Width, picture.Width);
+                Array.Copy(fromBottom, row * width, fromTop, (height - 1 - row) * width, width);
             }
 
             return fromTop;

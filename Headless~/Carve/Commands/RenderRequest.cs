@@ -37,8 +37,19 @@ namespace AnatomyCarve.Headless.Cli.Commands
 
         public string ReportPath { get; init; }
 
+        /// <summary>What a camera draws.</summary>
+        public string DrawnPath { get; init; }
+
+        public string DrawnDepthPath { get; init; }
+
+        public bool IsDrawn => DrawnPath != null || DrawnDepthPath != null;
+
+        /// <summary>The Unity project that is pretended.</summary>
+        public RenderProject Project { get; init; } = new();
+
         public IEnumerable<string> InputPaths => new[] { VolumePath, LabelsPath, CarvingPath }.Where(path => path != null);
 
-        public IEnumerable<string> OutputPaths => new[] { OutputPath, DepthPath, SegmentsPath, ReportPath }.Where(path => path != null);
+        public IEnumerable<string> OutputPaths => new[] { OutputPath, DepthPath, SegmentsPath, ReportPath, DrawnPath, DrawnDepthPath }
+            .Where(path => path != null);
     }
 }

@@ -12,16 +12,20 @@ namespace AnatomyCarve.Headless.Cli.Commands
         readonly UnityHost host;
         volatile string firstError;
 
+        /// <param name="project">the project that it is in</param>
         /// <param name="warnings">where the engine's and the package's warnings go</param>
-        public RenderScene(Warnings warnings)
+        public RenderScene(RenderProject project, Warnings warnings)
         {
             this.warnings = warnings;
-            host = UnityHost.Start(new HostOptions { Log = OnLog });
+            host = UnityHost.Start(project.HostOptions(OnLog));
             var volume = new GameObject("volume");
             Loader = volume.AddComponent<VolumeLoader>();
             Stack = volume.AddComponent<ClipSphereStack>();
             Renderer = volume.AddComponent<CarvedVolumeRenderer>();
+            Renderer.Layout = project.Layout;
         }
+
+        public UnityHost Host => host;
 
         public VolumeLoader Loader { get; }
 

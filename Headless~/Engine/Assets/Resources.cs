@@ -35,6 +35,12 @@ namespace UnityEngine
             return ObjectRegistry.Snapshot().OfType<T>().ToArray();
         }
 
+        public static Object[] FindObjectsOfTypeAll(Type type)
+        {
+            MainThread.Check("FindObjectsOfTypeAll");
+            return ObjectRegistry.Snapshot().Where(type.IsInstanceOfType).ToArray();
+        }
+
         /// <summary>Lets go of an asset; the next Load reads it again.</summary>
         public static void UnloadAsset(Object assetToUnload)
         {

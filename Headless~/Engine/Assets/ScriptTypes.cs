@@ -10,9 +10,24 @@ namespace UnityEngine
     /// <summary>Finds the class that a script file holds, and all assemblies that use the engine.</summary>
     static class ScriptTypes
     {
+        static readonly Dictionary<string, Type> s_OfScript = new();
+
         /// <summary>The class named like the file; of several, the one in the namespace that the file declares.</summary>
         /// <exception cref="AssetFormatException">No loaded assembly has it.</exception>
         internal static Type OfScript(string scriptPath, string referrer)
+        {
+            if (!s_OfScript.TryGetValue(scriptPath, out var type))
+                s_OfScript.Add(scriptPath, type = Search(scriptPath, referrer));
+            return type;
+        }
+
+        /// <summary>The class of that full name in an assembly that uses the engine; null if there is none.</summary>
+        internal static Type Find(string fullName) => Assemblies().Select(a => a.GetType(fullName)).FirstOrDefault(t => t != null);
+
+        /// <summary>To be called when other files may be in the scripts' places.</summary>
+        internal static void Forget() => s_OfScript.Clear();
+
+        static Type Search(string scriptPath, string referrer)
         {
             var name = Path.GetFileNameWithoutExtension(scriptPath);
             var candidates = Assemblies().SelectMany(Types).Where(t => t.Name == name && typeof(Object).IsAssignableFrom(t)).ToList();

@@ -33,12 +33,12 @@ namespace UnityEngine
         public int order { get; }
     }
 
-    /// <summary>Runs in edit mode too; headless there is none.</summary>
+    /// <summary>Runs in edit mode too.</summary>
     public sealed class ExecuteAlways : Attribute
     {
     }
 
-    /// <summary>Runs in edit mode too; headless there is none.</summary>
+    /// <summary>Runs in edit mode too, though not in prefab mode.</summary>
     public sealed class ExecuteInEditMode : Attribute
     {
     }

@@ -4,6 +4,7 @@ namespace UnityEngine
     {
         Matrix4x4? m_WorldToCamera;
         Matrix4x4? m_Projection;
+        Matrix4x4? m_Culling;
 
         /// <summary>World to view space, where points in front have negative z. A value set by hand sticks until it is reset.</summary>
         public Matrix4x4 worldToCameraMatrix
@@ -30,45 +31,64 @@ namespace UnityEngine
             set => projectionMatrix = value;
         }
 
-        public Matrix4x4 cullingMatrix => projectionMatrix * worldToCameraMatrix;
+        /// <summary>World to clip space for the choice of what is drawn. A value set by hand sticks until it is reset.</summary>
+        public Matrix4x4 cullingMatrix
+        {
+            get => m_Culling ?? projectionMatrix * worldToCameraMatrix;
+            set => m_Culling = value;
+        }
 
         public void ResetWorldToCameraMatrix() => m_WorldToCamera = null;
 
         public void ResetProjectionMatrix() => m_Projection = null;
 
+        public void ResetCullingMatrix() => m_Culling = null;
+
         /// <summary>A ray from the near plane through a point of the picture, (0,0) bottom left to (1,1) top right.</summary>
-        public Ray ViewportPointToRay(Vector3 pos)
+        public Ray ViewportPointToRay(Vector3 pos) => ViewportPointToRay(pos, MonoOrStereoscopicEye.Mono);
+
+        public Ray ViewportPointToRay(Vector3 pos, MonoOrStereoscopicEye eye)
         {
-            var p = projectionMatrix;
+            var view = View(eye);
+            var p = view.Projection;
             var nearZ = -(p.m23 + p.m33) / (p.m22 + p.m32);
             var start = Unproject(p, pos, nearZ);
             var isPerspective = p.m32 != 0f;
-            var toWorld = cameraToWorldMatrix;
+            var toWorld = view.View.inverse;
             return new Ray(toWorld.MultiplyPoint3x4(start), toWorld.MultiplyVector(isPerspective ? start * Mathf.Sign(-nearZ) : Vector3.back));
         }
 
-        public Ray ViewportPointToRay(Vector3 pos, MonoOrStereoscopicEye eye) => ViewportPointToRay(pos);
-
         public Ray ScreenPointToRay(Vector3 pos) => ViewportPointToRay(ScreenToViewportPoint(pos));
 
-        public Ray ScreenPointToRay(Vector3 pos, MonoOrStereoscopicEye eye) => ScreenPointToRay(pos);
+        public Ray ScreenPointToRay(Vector3 pos, MonoOrStereoscopicEye eye) => ViewportPointToRay(ScreenToViewportPoint(pos), eye);
 
         /// <summary>The point at distance z (world units, along the view direction) behind a point of the picture.</summary>
-        public Vector3 ViewportToWorldPoint(Vector3 position) => cameraToWorldMatrix.MultiplyPoint3x4(Unproject(projectionMatrix, position, -position.z));
+        public Vector3 ViewportToWorldPoint(Vector3 position) => ViewportToWorldPoint(position, MonoOrStereoscopicEye.Mono);
 
-        public Vector3 ViewportToWorldPoint(Vector3 position, MonoOrStereoscopicEye eye) => ViewportToWorldPoint(position);
+        public Vector3 ViewportToWorldPoint(Vector3 position, MonoOrStereoscopicEye eye)
+        {
+            var view = View(eye);
+            return view.View.inverse.MultiplyPoint3x4(Unproject(view.Projection, position, -position.z));
+        }
 
         public Vector3 ScreenToWorldPoint(Vector3 position) => ViewportToWorldPoint(ScreenToViewportPoint(position));
 
+        public Vector3 ScreenToWorldPoint(Vector3 position, MonoOrStereoscopicEye eye) => ViewportToWorldPoint(ScreenToViewportPoint(position), eye);
+
         /// <summary>Where a point is in the picture; z is its distance along the view direction.</summary>
-        public Vector3 WorldToViewportPoint(Vector3 position)
+        public Vector3 WorldToViewportPoint(Vector3 position) => WorldToViewportPoint(position, MonoOrStereoscopicEye.Mono);
+
+        public Vector3 WorldToViewportPoint(Vector3 position, MonoOrStereoscopicEye eye)
         {
-            var view = worldToCameraMatrix.MultiplyPoint3x4(position);
-            var ndc = projectionMatrix.MultiplyPoint(view);
+            var of = View(eye);
+            var view = of.View.MultiplyPoint3x4(position);
+            var ndc = of.Projection.MultiplyPoint(view);
             return new Vector3(ndc.x * 0.5f + 0.5f, ndc.y * 0.5f + 0.5f, -view.z);
         }
 
         public Vector3 WorldToScreenPoint(Vector3 position) => ViewportToScreenPoint(WorldToViewportPoint(position));
+
+        public Vector3 WorldToScreenPoint(Vector3 position, MonoOrStereoscopicEye eye) => ViewportToScreenPoint(WorldToViewportPoint(position, eye));
 
         public Vector3 ScreenToViewportPoint(Vector3 position)
         {
@@ -89,6 +109,15 @@ namespace UnityEngine
             var x = ((viewport.x * 2f - 1f) * w - p.m02 * z - p.m03) / p.m00;
             var y = ((viewport.y * 2f - 1f) * w - p.m12 * z - p.m13) / p.m11;
             return new Vector3(x, y, z);
+        }
+
+        /// <summary>The frusta in which something is seen: two of a stereo camera.</summary>
+        internal Matrix4x4[] CullingMatrices()
+        {
+            if (m_Culling != null || !stereoEnabled)
+                return new[] { cullingMatrix };
+            var (left, right) = (View(MonoOrStereoscopicEye.Left), View(MonoOrStereoscopicEye.Right));
+            return new[] { left.Projection * left.View, right.Projection * right.View };
         }
 
         Matrix4x4 CameraToWorldFromTransform() => Matrix4x4.TRS(transform.position, transform.rotation, new Vector3(1f, 1f, -1f));

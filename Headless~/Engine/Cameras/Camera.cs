@@ -96,9 +96,8 @@ namespace UnityEngine
 
         public bool useOcclusionCulling { get; set; } = true;
 
-        public bool stereoEnabled => false;
-
-        public MonoOrStereoscopicEye stereoActiveEye => MonoOrStereoscopicEye.Mono;
+        /// <summary>Which textures of its depth shaders can read.</summary>
+        public DepthTextureMode depthTextureMode { get; set; }
 
         /// <summary>The part of the target that is drawn to, 0..1.</summary>
         public Rect rect { get => m_Rect; set => m_Rect = value; }
@@ -119,9 +118,9 @@ namespace UnityEngine
             set => m_Rect = new Rect(value.x / TargetWidth, value.y / TargetHeight, value.width / TargetWidth, value.height / TargetHeight);
         }
 
-        int TargetWidth => m_Target ? m_Target.width : Screen.width;
+        int TargetWidth => m_Target ? m_Target.width : stereoEnabled ? Headset.EyeWidth : Screen.width;
 
-        int TargetHeight => m_Target ? m_Target.height : Screen.height;
+        int TargetHeight => m_Target ? m_Target.height : stereoEnabled ? Headset.EyeHeight : Screen.height;
 
         public void ResetAspect() => m_Aspect = null;
 
@@ -156,7 +155,9 @@ namespace UnityEngine
             (m_Orthographic, m_Aspect, m_Rect, m_Target) = (other.m_Orthographic, other.m_Aspect, other.m_Rect, other.m_Target);
             (cullingMask, cameraType, clearFlags, backgroundColor) = (other.cullingMask, other.cameraType, other.clearFlags, other.backgroundColor);
             (allowHDR, allowMSAA, useOcclusionCulling) = (other.allowHDR, other.allowMSAA, other.useOcclusionCulling);
-            (m_WorldToCamera, m_Projection) = (other.m_WorldToCamera, other.m_Projection);
+            (depthTextureMode, stereoTargetEye, m_Separation, stereoConvergence) =
+                (other.depthTextureMode, other.stereoTargetEye, other.m_Separation, other.stereoConvergence);
+            (m_WorldToCamera, m_Projection, m_Culling) = (other.m_WorldToCamera, other.m_Projection, other.m_Culling);
         }
     }
 }

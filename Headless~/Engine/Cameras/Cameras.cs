@@ -9,34 +9,69 @@ namespace UnityEngine
     {
         internal static List<Camera> Running { get; } = new();
 
-        /// <summary>What really draws a camera's picture; null while nothing does.</summary>
-        internal static Action<Camera> Drawing { get; set; }
-
         internal static void RenderAll()
         {
-            foreach (var camera in Running.OrderBy(c => c.depth).ToList())
-                if (camera.IsRunning)
-                    Render(camera);
+            var cameras = Running.OrderBy(c => c.depth).ToList();
+            if (RenderPipelines.Asset != null)
+            {
+                if (cameras.Count > 0)
+                    RenderPipelines.Render(cameras);
+            }
+            else
+            {
+                foreach (var camera in cameras)
+                    if (camera.IsRunning)
+                        RenderBuiltIn(camera);
+            }
+            FrameMeshes.Clear();
         }
 
+        /// <summary>Renders one camera now.</summary>
         internal static void Render(Camera camera)
         {
-            var previous = Camera.current;
-            Camera.current = camera;
-            Raise(camera, m => m.OnPreCull, Camera.onPreCull);
-            Raise(camera, m => m.OnPreRender, Camera.onPreRender);
-            if (Drawing != null)
-                LogRouter.Guard(() => Drawing(camera));
-            Raise(camera, m => m.OnPostRender, Camera.onPostRender);
-            Camera.current = previous;
+            if (RenderPipelines.Asset != null)
+                RenderPipelines.Render(new List<Camera> { camera });
+            else
+                RenderBuiltIn(camera);
         }
 
         internal static void Forget()
         {
             Running.Clear();
-            Drawing = null;
+            Renderers.All.Clear();
+            Light.Running.Clear();
+            FrameMeshes.Clear();
+            RenderSettings.Forget();
+            EmptyPictures.Forget();
             Camera.current = null;
             Camera.onPreCull = Camera.onPreRender = Camera.onPostRender = null;
+        }
+
+        static void RenderBuiltIn(Camera camera)
+        {
+            var previous = Camera.current;
+            Camera.current = camera;
+            Raise(camera, m => m.OnPreCull, Camera.onPreCull);
+            if (Object.IsAlive(camera))
+            {
+                var visible = VisibleMeshes.Of(camera);
+                foreach (var picture in CameraPicture.Of(camera))
+                    RenderBuiltIn(picture, visible);
+            }
+            Camera.current = previous;
+        }
+
+        static void RenderBuiltIn(CameraPicture picture, VisibleMeshes visible)
+        {
+            var camera = picture.Camera;
+            if (!Object.IsAlive(camera))
+                return;
+            camera.DrawnEye = picture.Eye;
+            Raise(camera, m => m.OnPreRender, Camera.onPreRender);
+            if (Object.IsAlive(camera))
+                LogRouter.Guard(() => BuiltInPicture.Draw(picture, visible));
+            Raise(camera, m => m.OnPostRender, Camera.onPostRender);
+            camera.DrawnEye = Camera.MonoOrStereoscopicEye.Left;
         }
 
         static void Raise(Camera camera, Func<Messages, Message> message, Camera.CameraCallback callback)

@@ -21,7 +21,7 @@ namespace Unity.Collections
 
         ~NativeMemory()
         {
-            if (m_Owned && m_Valid)
+            if (m_Owned && (m_Valid || Allocator == Allocator.None))
                 Marshal.FreeHGlobal((IntPtr)Pointer);
         }
 
@@ -51,6 +51,17 @@ namespace Unity.Collections
             return memory;
         }
 
+        /// <summary>
+        /// A copy of bytes, which its owner ends with <see cref="Invalidate"/>; arrays over it cannot be disposed of. The memory goes when nobody refers to
+        /// it any more, so that a thread that still reads when the owner ends gets an exception, not rubbish.
+        /// </summary>
+        internal static NativeMemory Own(ReadOnlySpan<byte> bytes)
+        {
+            var pointer = (void*)Marshal.AllocHGlobal((IntPtr)Math.Max(bytes.Length, 1));
+            bytes.CopyTo(new Span<byte>(pointer, bytes.Length));
+            return new NativeMemory(pointer, Allocator.None, true);
+        }
+
         /// <summary>Wraps memory that belongs to something else, which calls <see cref="Invalidate"/> when it ends.</summary>
         internal static NativeMemory Borrow(void* pointer) => new(pointer, Allocator.None, false);
 
@@ -62,6 +73,8 @@ namespace Unity.Collections
             m_Valid = false;
             lock (s_Alive)
                 s_Alive.Remove(this);
+            if (m_Owned && Allocator == Allocator.None)
+                return;
             if (m_Owned)
                 Marshal.FreeHGlobal((IntPtr)Pointer);
             GC.SuppressFinalize(this);

@@ -45,6 +45,7 @@ namespace UnityEngine
         /// <summary>Ends the device: waits for its work, reports what was not freed, frees everything.</summary>
         internal static GpuReport Shutdown()
         {
+            ForgetDrawing();
             if (s_Context == null)
                 return new GpuReport();
             RenderTexturePool.Clear();
@@ -54,6 +55,22 @@ namespace UnityEngine
             s_Context = null;
             ShaderGlobals.Clear();
             return report;
+        }
+
+        /// <summary>Ends what drawing made for itself, whether there is a device or not.</summary>
+        static void ForgetDrawing()
+        {
+            DrawTargets.Forget();
+            ImmediateDrawing.Forget();
+            Drawer.Forget();
+            ScreenBuffer.Clear();
+            Headset.Forget();
+            Blitter.Forget();
+            DefaultTextures.Clear();
+            BuiltinAssets.Clear();
+            BuiltinShaders.Clear();
+            RenderPipelines.Forget();
+            ProjectPipeline.Forget();
         }
     }
 }

@@ -10,6 +10,7 @@ namespace UnityEngine
     {
         readonly HashSet<IGpuObject> m_Alive = new();
         readonly List<IDisposable> m_Programs = new();
+        VulkanBuffer m_DefaultVertex;
 
         internal GpuContext()
         {
@@ -43,6 +44,20 @@ namespace UnityEngine
         internal PipelineCacheFile Pipelines { get; }
 
         internal ReadbackQueue Readbacks { get; }
+
+        /// <summary>What vertices read of attributes that their mesh lacks.</summary>
+        internal unsafe VulkanBuffer DefaultVertex
+        {
+            get
+            {
+                if (m_DefaultVertex != null)
+                    return m_DefaultVertex;
+                var values = UnityEngine.DefaultVertex.Values;
+                m_DefaultVertex = new VulkanBuffer(Device, (ulong)values.Length * sizeof(float), Vk.VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, BufferPlace.Upload);
+                values.CopyTo(new Span<float>(m_DefaultVertex.Mapped, values.Length));
+                return m_DefaultVertex;
+            }
+        }
 
         internal bool IsDisposed { get; private set; }
 
@@ -90,6 +105,7 @@ namespace UnityEngine
             m_Alive.Clear();
             Readbacks.Dispose();
             Stream.Dispose();
+            m_DefaultVertex?.Dispose();
             foreach (var program in m_Programs)
                 program.Dispose();
             Samplers.Dispose();

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using UnityEngine.Experimental.Rendering;
+using UnityEngine.Rendering;
 
 namespace UnityEngine
 {
@@ -22,6 +23,12 @@ namespace UnityEngine
 
         /// <summary>Formats that this device is to pretend not to know at all.</summary>
         internal static ISet<GraphicsFormat> DeniedFormats { get; } = new HashSet<GraphicsFormat>();
+
+        /// <summary>The graphics API that the device is to pretend to be, to scripts and to pragmas of shaders; Vulkan draws for all of them.</summary>
+        internal static GraphicsDeviceType DeviceType { get; set; } = GraphicsDeviceType.Vulkan;
+
+        /// <summary>Whether it is to pretend to run compute shaders.</summary>
+        internal static bool ComputeShaders { get; set; } = true;
 
         /// <summary>The folder that "Packages/com.anatomycarve.vr/" means in an #include. Null: such includes fail.</summary>
         internal static string PackageRoot { get; set; }

@@ -17,7 +17,7 @@ namespace UnityEngine
 
         public static string graphicsDeviceName => Device.Name;
 
-        public static GraphicsDeviceType graphicsDeviceType => GraphicsDeviceType.Vulkan;
+        public static GraphicsDeviceType graphicsDeviceType => GpuOptions.DeviceType;
 
         public static string graphicsDeviceVersion
         {
@@ -43,7 +43,7 @@ namespace UnityEngine
 
         public static bool usesReversedZBuffer => true;
 
-        public static bool supportsComputeShaders => true;
+        public static bool supportsComputeShaders => GpuOptions.ComputeShaders && GpuOptions.DeviceType != GraphicsDeviceType.Null;
 
         public static bool supportsAsyncGPUReadback => true;
 
@@ -58,6 +58,16 @@ namespace UnityEngine
         public static bool supportsSetConstantBuffer => true;
 
         public static bool supportsIndirectArgumentsBuffer => true;
+
+        public static bool supportsInstancing => true;
+
+        public static bool supports32bitsIndexBuffer => true;
+
+        /// <summary>Whether one draw can go to both eyes by views.</summary>
+        public static bool supportsMultiview => Device.Abilities.HasMultiview;
+
+        /// <summary>How many render targets a shader can write at once.</summary>
+        public static int supportedRenderTargetCount => (int)Math.Min(8, Device.Properties.limits.maxColorAttachments);
 
         public static CopyTextureSupport copyTextureSupport =>
             CopyTextureSupport.Basic | CopyTextureSupport.Copy3D | CopyTextureSupport.DifferentTypes | CopyTextureSupport.TextureToRT
@@ -118,14 +128,26 @@ namespace UnityEngine
             // Three channels are no texture format on GPUs that matter.
             if (info == null || info.Channels == 3 || GpuOptions.DeniedFormats.Contains(format))
                 return false;
-            var features = Device.FormatFeatures(info.Vulkan);
-            return FormatSupport.Covers(features, info, usage);
+            var limits = Device.Properties.limits;
+            var samples = info.IsDepth ? limits.framebufferDepthSampleCounts : limits.framebufferColorSampleCounts;
+            return FormatSupport.Covers(Device.FormatFeatures(info.Vulkan), info, usage, samples);
         }
 
         public static bool SupportsTextureFormat(TextureFormat format) => IsFormatSupported(FormatTables.Of(format, false), GraphicsFormatUsage.Sample);
 
         public static bool SupportsRenderTextureFormat(RenderTextureFormat format) =>
-            IsFormatSupported(FormatTables.Of(format, false), GraphicsFormatUsage.Render);
+            IsFormatSupported(format == RenderTextureFormat.Depth ? GraphicsFormat.D32_SFloat : FormatTables.Of(format, false), GraphicsFormatUsage.Render);
+
+        /// <summary>The number of samples per pixel that such a texture really gets: as asked, or the next lower one that the device has.</summary>
+        public static int GetRenderTextureSupportedMSAASampleCount(RenderTextureDescriptor desc)
+        {
+            var limits = Device.Properties.limits;
+            var counts = limits.framebufferColorSampleCounts & limits.framebufferDepthSampleCounts;
+            var samples = Math.Max(1, desc.msaaSamples);
+            while (samples > 1 && (counts & (uint)samples) == 0)
+                samples /= 2;
+            return samples;
+        }
 
         public static bool SupportsRandomWriteOnRenderTextureFormat(RenderTextureFormat format) =>
             IsFormatSupported(FormatTables.Of(format, false), GraphicsFormatUsage.LoadStore);
@@ -146,11 +168,12 @@ namespace UnityEngine
             return GraphicsFormat.None;
         }
 
-        /// <summary>The platform's choice: 8 bits of sRGB for LDR, half floats for HDR.</summary>
+        /// <summary>The platform's choice: 8 bits for LDR (sRGB in linear projects), half floats for HDR.</summary>
         public static GraphicsFormat GetGraphicsFormat(DefaultFormat format) => format switch
         {
-            DefaultFormat.LDR => GraphicsFormat.R8G8B8A8_SRGB,
+            DefaultFormat.LDR => ColorSpaces.IsLinear ? GraphicsFormat.R8G8B8A8_SRGB : GraphicsFormat.R8G8B8A8_UNorm,
             DefaultFormat.HDR => GraphicsFormat.R16G16B16A16_SFloat,
+            DefaultFormat.DepthStencil => GraphicsFormatUtility.GetDepthStencilFormat(24, 8),
             _ => GraphicsFormat.None,
         };
     }

@@ -28,9 +28,11 @@ namespace UnityEngine
         /// <summary>Asked before the player quits; false refuses.</summary>
         public static event Func<bool> wantsToQuit;
 
-        public static bool isPlaying => true;
+        /// <summary>False in the host's edit mode.</summary>
+        public static bool isPlaying => !InEditMode;
 
-        public static bool isEditor => false;
+        /// <summary>The host plays the part of a player, or of the Editor in edit mode.</summary>
+        public static bool isEditor => InEditMode;
 
         public static bool isBatchMode => true;
 
@@ -54,7 +56,7 @@ namespace UnityEngine
 
         public static string identifier => "com.anatomycarve.headless";
 
-        public static RuntimePlatform platform => RuntimePlatform.LinuxPlayer;
+        public static RuntimePlatform platform => InEditMode ? RuntimePlatform.LinuxEditor : RuntimePlatform.LinuxPlayer;
 
         public static string dataPath => s_Paths.Data;
 
@@ -73,15 +75,19 @@ namespace UnityEngine
         /// <summary>Cancelled when the player ends.</summary>
         public static CancellationToken exitCancellationToken => s_Exit.Token;
 
+        /// <summary>Whether this is the Editor, not playing.</summary>
+        internal static bool InEditMode { get; private set; }
+
         internal static bool QuitRequested { get; private set; }
 
         internal static int ExitCode { get; private set; }
 
+        /// <summary>True for what lives in the playing world: not for assets and prefabs, and for nothing in edit mode.</summary>
         public static bool IsPlaying(Object obj)
         {
             if (obj is null)
                 throw new NullReferenceException();
-            return !obj.IsAsset;
+            return isPlaying && !obj.IsAsset;
         }
 
         public static void Quit() => Quit(0);
@@ -102,9 +108,10 @@ namespace UnityEngine
             ExitCode = exitCode;
         }
 
-        internal static void Begin(EnginePaths paths)
+        internal static void Begin(EnginePaths paths, bool inEditMode)
         {
             s_Paths = paths;
+            InEditMode = inEditMode;
             s_Exit = new CancellationTokenSource();
             QuitRequested = false;
             ExitCode = 0;

@@ -20,6 +20,7 @@ namespace UnityEngine
             internal ResumePoint Point;
             internal int Frame;
             internal double Due;
+            internal AsyncOperation Operation;
         }
 
         static List<Wait> s_Waiting = new();
@@ -74,7 +75,12 @@ namespace UnityEngine
                 Step(wait.Coroutine);
         }
 
-        static bool IsDue(Wait wait) => wait.Point != ResumePoint.Update || (wait.Frame < Time.frameCount && wait.Due <= Time.timeAsDouble);
+        static bool IsDue(Wait wait)
+        {
+            if (wait.Operation != null)
+                return wait.Operation.isDone;
+            return wait.Point != ResumePoint.Update || (wait.Frame < Time.frameCount && wait.Due <= Time.timeAsDouble);
+        }
 
         static void Step(Coroutine coroutine)
         {
@@ -115,6 +121,11 @@ namespace UnityEngine
                     return false;
                 case WaitForEndOfFrame:
                     Enqueue(coroutine, ResumePoint.EndOfFrame, 0);
+                    return false;
+                case AsyncOperation operation:
+                    if (operation.isDone)
+                        return true;
+                    s_Waiting.Add(new Wait { Coroutine = coroutine, Point = ResumePoint.Update, Frame = Time.frameCount, Operation = operation });
                     return false;
                 case Coroutine other:
                     return WaitFor(coroutine, other);

@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using System.Threading;
+using UnityEngine.SceneManagement;
 
 namespace UnityEngine
 {
@@ -13,13 +14,16 @@ namespace UnityEngine
         /// <summary>The start of a frame, before FixedUpdate: what completed since the last one is handed out.</summary>
         internal static event Action EarlyUpdate;
 
+        /// <summary>After FixedUpdate, before Update: input comes in.</summary>
+        internal static event Action PreUpdate;
+
         /// <summary>After the cameras: the frame's work goes to the device.</summary>
         internal static event Action FrameEnd;
 
         /// <summary>True between <see cref="Start"/> and <see cref="Stop"/>.</summary>
         internal static bool IsRunning { get; private set; }
 
-        internal static void Start(EnginePaths paths)
+        internal static void Start(EnginePaths paths, bool inEditMode = false)
         {
             if (IsRunning)
                 throw new InvalidOperationException("The engine runs already in this process; dispose of the other host first");
@@ -27,7 +31,7 @@ namespace UnityEngine
             s_Previous = SynchronizationContext.Current;
             s_Context = new UnitySynchronizationContext(Thread.CurrentThread);
             SynchronizationContext.SetSynchronizationContext(s_Context);
-            Application.Begin(paths);
+            Application.Begin(paths, inEditMode);
             Time.Reset();
             IsRunning = true;
         }
@@ -39,6 +43,13 @@ namespace UnityEngine
             SynchronizationContext.SetSynchronizationContext(s_Context);
         }
 
+        /// <summary>What the Editor does between frames: continuations of async methods go on.</summary>
+        internal static void Idle()
+        {
+            InstallContext();
+            s_Context.Run();
+        }
+
         /// <summary>Hands the frame's work to the device without ending the frame, so that its complaints are heard.</summary>
         internal static void Flush() => Raise(FrameEnd);
 
@@ -47,15 +58,18 @@ namespace UnityEngine
         {
             InstallContext();
             Time.BeginFrame(seconds);
+            SceneLoading.RunPending();
             Raise(EarlyUpdate);
+            AsyncOperations.RunCompletions();
             ScriptLoop.RunStarts();
-            while (Time.EnterFixedStep())
+            while (!Application.InEditMode && Time.EnterFixedStep())
             {
                 ScriptLoop.RunStarts();
                 ScriptLoop.Send(m => m.FixedUpdate);
                 Coroutines.Resume(ResumePoint.FixedUpdate);
             }
 
+            Raise(PreUpdate);
             ScriptLoop.RunStarts();
             ScriptLoop.Send(m => m.Update);
             Coroutines.Resume(ResumePoint.Update);
@@ -74,9 +88,10 @@ namespace UnityEngine
         internal static string[] Stop()
         {
             MainThread.Check("Stop");
-            ScriptLoop.SendToAll(m => m.OnApplicationQuit);
+            if (!Application.InEditMode)
+                ScriptLoop.SendToAll(m => m.OnApplicationQuit);
             Application.RaiseQuitting();
-            foreach (var root in SceneRoots.Transforms.ToList())
+            foreach (var root in LoadedScenes.Roots)
                 if (Object.IsAlive(root))
                     Destruction.Now(root.Owner);
             AssetLibrary.Unload();
@@ -92,13 +107,16 @@ namespace UnityEngine
         static void Forget()
         {
             // What OnDestroy made just now has no scene to live in.
-            SceneRoots.Transforms.Clear();
+            LoadedScenes.Forget();
+            SceneLoading.Forget();
+            AsyncOperations.Forget();
             ObjectRegistry.Clear();
             ScriptLoop.Forget();
             Coroutines.Forget();
             Destruction.Forget();
             Cameras.Forget();
             EarlyUpdate = null;
+            PreUpdate = null;
             FrameEnd = null;
             SynchronizationContext.SetSynchronizationContext(s_Previous);
             s_Context = null;

@@ -5,10 +5,12 @@ namespace UnityEngine
     /// <summary>The player's folders, all below one.</summary>
     sealed class EnginePaths
     {
-        internal EnginePaths(string root)
+        /// <param name="root">The folder that holds them.</param>
+        /// <param name="streamingAssets">Where StreamingAssets are instead: a folder, or an address such as Android's jar:file:///base.apk!/assets.</param>
+        internal EnginePaths(string root, string streamingAssets = null)
         {
             Data = Path.Combine(root, "Data");
-            StreamingAssets = Path.Combine(Data, "StreamingAssets");
+            StreamingAssets = streamingAssets ?? Path.Combine(Data, "StreamingAssets");
             PersistentData = Path.Combine(root, "PersistentData");
             TemporaryCache = Path.Combine(root, "TemporaryCache");
         }

@@ -4,18 +4,30 @@ using System.Reflection;
 
 namespace UnityEngine.Events
 {
-    /// <summary>Listeners in order. Headless there are only those added by code, as nothing is wired in an Inspector.</summary>
+    /// <summary>Listeners in order: those wired in the Inspector, then those added by code.</summary>
     [Serializable]
     public abstract class UnityEventBase : ISerializationCallbackReceiver
     {
+        readonly List<PersistentCall> m_Persistent = new();
         List<Delegate> m_Calls = new();
 
         protected UnityEventBase()
         {
         }
 
-        public int GetPersistentEventCount() => 0;
+        internal List<PersistentCall> PersistentCalls => m_Persistent;
 
+        public int GetPersistentEventCount() => m_Persistent.Count;
+
+        public Object GetPersistentTarget(int index) => m_Persistent[index].Target;
+
+        public string GetPersistentMethodName(int index) => m_Persistent[index].MethodName;
+
+        public UnityEventCallState GetPersistentListenerState(int index) => m_Persistent[index].State;
+
+        public void SetPersistentListenerState(int index, UnityEventCallState state) => m_Persistent[index].State = state;
+
+        /// <summary>Removes those added by code.</summary>
         public void RemoveAllListeners() => m_Calls = new List<Delegate>();
 
         public override string ToString() => base.ToString() + " " + GetType().FullName;
@@ -57,6 +69,13 @@ namespace UnityEngine.Events
                 if (call.Target is not Object target || Object.IsAlive(target))
                     invoke((TCall)call);
         }
+
+        /// <summary>The listeners wired in the Inspector, which come first.</summary>
+        internal void CallPersistent(object[] arguments)
+        {
+            foreach (var call in m_Persistent)
+                call.Invoke(arguments);
+        }
     }
 
     [Serializable]
@@ -70,7 +89,12 @@ namespace UnityEngine.Events
 
         public void RemoveListener(UnityAction call) => Remove(call);
 
-        public void Invoke() => Call<UnityAction>(c => c());
+        public void Invoke()
+        {
+            if (PersistentCalls.Count > 0)
+                CallPersistent(Array.Empty<object>());
+            Call<UnityAction>(c => c());
+        }
 
         protected override MethodInfo FindMethod_Impl(string name, Type targetObjType) => GetValidMethodInfo(targetObjType, name, Type.EmptyTypes);
     }
@@ -86,7 +110,12 @@ namespace UnityEngine.Events
 
         public void RemoveListener(UnityAction<T0> call) => Remove(call);
 
-        public void Invoke(T0 arg0) => Call<UnityAction<T0>>(c => c(arg0));
+        public void Invoke(T0 arg0)
+        {
+            if (PersistentCalls.Count > 0)
+                CallPersistent(new object[] { arg0 });
+            Call<UnityAction<T0>>(c => c(arg0));
+        }
 
         protected override MethodInfo FindMethod_Impl(string name, Type targetObjType) => GetValidMethodInfo(targetObjType, name, new[] { typeof(T0) });
     }
@@ -102,7 +131,12 @@ namespace UnityEngine.Events
 
         public void RemoveListener(UnityAction<T0, T1> call) => Remove(call);
 
-        public void Invoke(T0 arg0, T1 arg1) => Call<UnityAction<T0, T1>>(c => c(arg0, arg1));
+        public void Invoke(T0 arg0, T1 arg1)
+        {
+            if (PersistentCalls.Count > 0)
+                CallPersistent(new object[] { arg0, arg1 });
+            Call<UnityAction<T0, T1>>(c => c(arg0, arg1));
+        }
 
         protected override MethodInfo FindMethod_Impl(string name, Type targetObjType) =>
             GetValidMethodInfo(targetObjType, name, new[] { typeof(T0), typeof(T1) });

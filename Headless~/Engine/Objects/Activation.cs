@@ -21,6 +21,15 @@ namespace UnityEngine
                 Deactivate(changed);
         }
 
+        /// <summary>Wakes a scene that was just loaded: everything is switched on before the first script hears of it.</summary>
+        internal static void Begin(List<GameObject> roots)
+        {
+            var changed = new List<GameObject>();
+            foreach (var root in roots.Where(r => r.ActiveSelfFlag))
+                SetFlags(root, true, changed);
+            Activate(changed);
+        }
+
         /// <summary>Awake and OnEnable back to back per component, by execution order, then in hierarchy order.</summary>
         internal static void Activate(List<GameObject> objects)
         {

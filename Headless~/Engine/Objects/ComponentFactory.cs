@@ -51,6 +51,8 @@ namespace UnityEngine
                 return null;
             }
 
+            if (type == typeof(RectTransform) && owner.OwnTransform is not RectTransform)
+                return owner.MakeRectTransform();
             if (IsRefusedAsSecond(owner, type))
             {
                 Debug.LogError($"Can't add component '{type.Name}' to {owner.NameForMessages} because such a component is already added to the game object!");
@@ -61,6 +63,8 @@ namespace UnityEngine
                 if (owner.GetComponent(required) == null && Add(owner, required) == null)
                     return null;
             var component = Construct(type, owner);
+            if (component is MonoBehaviour script)
+                Validation.SendAdded(script);
             if (component is Behaviour behaviour)
                 behaviour.ActivateIfNeeded();
             return component;
@@ -83,7 +87,7 @@ namespace UnityEngine
 
         static bool IsRefusedAsSecond(GameObject owner, Type type)
         {
-            if (type == typeof(Transform))
+            if (type == typeof(Transform) || type == typeof(RectTransform))
                 return true;
             // The attribute forbids a second one of the class that bears it and of its subclasses.
             for (var t = type; t != null; t = t.BaseType)
@@ -92,7 +96,8 @@ namespace UnityEngine
             return false;
         }
 
-        static Type[] Required(Type type) => type.GetCustomAttributes<RequireComponent>(true)
+        /// <summary>The components that a class cannot be without.</summary>
+        internal static Type[] Required(Type type) => type.GetCustomAttributes<RequireComponent>(true)
             .SelectMany(a => new[] { a.m_Type0, a.m_Type1, a.m_Type2 }).Where(t => t != null).Distinct().ToArray();
     }
 }

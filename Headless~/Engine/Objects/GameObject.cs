@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using UnityEngine.SceneManagement;
 
 namespace UnityEngine
 {
@@ -7,7 +8,7 @@ namespace UnityEngine
     public sealed partial class GameObject : Object
     {
         readonly List<Component> m_Components = new();
-        readonly Transform m_Transform;
+        Transform m_Transform;
         string m_Tag = "Untagged";
         int m_Layer;
         bool m_ActiveSelf = true;
@@ -17,18 +18,19 @@ namespace UnityEngine
         {
         }
 
-        public GameObject(string name)
-        {
-            MainThread.Check("Internal_CreateGameObject");
-            NativeName = name ?? "";
-            m_Transform = (Transform)ComponentFactory.Construct(typeof(Transform), this);
-            SceneRoots.Add(m_Transform);
-        }
+        public GameObject(string name) : this(name, typeof(Transform)) => m_Transform.MoveTo(LoadedScenes.Active);
 
         public GameObject(string name, params Type[] components) : this(name)
         {
             foreach (var type in components ?? Array.Empty<Type>())
                 AddComponent(type);
+        }
+
+        GameObject(string name, Type transform)
+        {
+            MainThread.Check("Internal_CreateGameObject");
+            NativeName = name ?? "";
+            m_Transform = (Transform)ComponentFactory.Construct(transform, this);
         }
 
         public GameObject gameObject => this;
@@ -73,6 +75,12 @@ namespace UnityEngine
         }
 
         public bool isStatic { get; set; }
+
+        /// <summary>The scene that it lives in; an invalid one for a prefab.</summary>
+        public Scene scene
+        {
+            get { Use("get_scene"); return new Scene(m_Transform.Scene); }
+        }
 
         internal Transform OwnTransform => m_Transform;
 
@@ -140,6 +148,22 @@ namespace UnityEngine
             tag = Tags.Checked(tag);
             return ObjectRegistry.Snapshot().FindAll(o => o is GameObject g && g.m_ActiveInHierarchy && !g.IsAsset && g.m_Tag == tag)
                 .ConvertAll(o => (GameObject)o).ToArray();
+        }
+
+        /// <summary>Makes an object that is in no scene, asleep: what a file holds.</summary>
+        internal static GameObject Construct(string name, Type transform) => new(name, transform) { m_ActiveInHierarchy = false };
+
+        /// <summary>Turns the Transform into a RectTransform, as adding one does.</summary>
+        internal RectTransform MakeRectTransform()
+        {
+            var old = m_Transform;
+            var rect = (RectTransform)ComponentFactory.Construct(typeof(RectTransform), this);
+            rect.Replace(old);
+            m_Components.Remove(rect);
+            m_Components[m_Components.IndexOf(old)] = rect;
+            m_Transform = rect;
+            old.Kill();
+            return rect;
         }
 
         internal void Attach(Component component) => m_Components.Add(component);

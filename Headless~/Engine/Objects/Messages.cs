@@ -26,6 +26,9 @@ namespace UnityEngine
             OnApplicationQuit = new Message(type, "OnApplicationQuit");
             OnTransformParentChanged = new Message(type, "OnTransformParentChanged");
             OnTransformChildrenChanged = new Message(type, "OnTransformChildrenChanged");
+            OnValidate = new Message(type, "OnValidate");
+            Reset = new Message(type, "Reset");
+            RunsInEditMode = type.IsDefined(typeof(ExecuteAlways), true) || type.IsDefined(typeof(ExecuteInEditMode), true);
             ExecutionOrder = type.GetCustomAttribute<DefaultExecutionOrder>(true)?.order ?? 0;
         }
 
@@ -43,6 +46,9 @@ namespace UnityEngine
         internal Message OnApplicationQuit { get; }
         internal Message OnTransformParentChanged { get; }
         internal Message OnTransformChildrenChanged { get; }
+        internal Message OnValidate { get; }
+        internal Message Reset { get; }
+        internal bool RunsInEditMode { get; }
         internal int ExecutionOrder { get; }
 
         internal static Messages Of(Type type)

@@ -43,6 +43,9 @@ namespace UnityEngine
 
         internal override int ExecutionOrder => m_Messages.ExecutionOrder;
 
+        /// <summary>In edit mode only scripts that ask for it get messages; others are switched on and off in silence.</summary>
+        internal bool HearsMessages => Application.isPlaying || m_Messages.RunsInEditMode;
+
         public static void print(object message) => Debug.Log(message);
 
         /// <summary>Runs the routine to its first yield before it returns.</summary>
@@ -80,7 +83,7 @@ namespace UnityEngine
         /// <summary>An Awake that throws disables the component, as in Unity.</summary>
         internal override bool WakeUp()
         {
-            if (m_DidAwake)
+            if (m_DidAwake || !HearsMessages)
                 return true;
             m_DidAwake = true;
             if (m_Messages.Awake.Send(this))
@@ -91,6 +94,8 @@ namespace UnityEngine
 
         internal override void OnRunningChanged(bool running)
         {
+            if (!HearsMessages)
+                return;
             if (!running)
             {
                 ScriptLoop.Remove(this);

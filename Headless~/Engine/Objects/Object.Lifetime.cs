@@ -1,4 +1,5 @@
 using System;
+using UnityEngine.SceneManagement;
 
 namespace UnityEngine
 {
@@ -11,6 +12,13 @@ namespace UnityEngine
         public static void Destroy(Object obj, float t)
         {
             MainThread.Check("Destroy");
+            if (IsAlive(obj) && Application.InEditMode)
+            {
+                Debug.LogError("Destroy may not be called from edit mode! Use DestroyImmediate instead.\nDestroying an object in edit mode destroys it "
+                    + "permanently.");
+                return;
+            }
+
             if (IsAlive(obj) && Destruction.IsAllowed(obj, false))
                 Destruction.Schedule(obj, t);
         }
@@ -25,14 +33,20 @@ namespace UnityEngine
                 Destruction.Now(obj);
         }
 
-        /// <summary>Keeps a root object across scene changes. Headless there is one scene, so this only checks.</summary>
+        /// <summary>Keeps a root object across scene changes.</summary>
         public static void DontDestroyOnLoad(Object target)
         {
             MainThread.Check("DontDestroyOnLoad");
             target.EnsureAlive();
+            if (Application.InEditMode)
+                throw new InvalidOperationException(
+                    "The following game object is invoking the DontDestroyOnLoad method: " + target.NameForMessages
+                        + ". Notice that DontDestroyOnLoad can only be used in play mode and, as such, cannot be part of an editor script.");
             var transform = target is GameObject g ? g.transform : (target as Component)?.transform;
             if (transform is { parent: not null })
                 Debug.LogWarning("DontDestroyOnLoad only works for root GameObjects or components on root GameObjects.");
+            else
+                transform?.MoveTo(LoadedScenes.DontDestroy);
         }
 
         public static Object Instantiate(Object original) => Cloner.Clone(original, null, false);

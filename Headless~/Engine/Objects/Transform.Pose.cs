@@ -103,6 +103,14 @@ namespace UnityEngine
             localRotation = this.localRotation;
         }
 
+        /// <summary>Sets the local pose as a file gives it.</summary>
+        internal void SetLocalPose(Vector3 position, Quaternion rotation, Vector3 scale)
+        {
+            m_LocalPosition = position;
+            m_LocalRotation = rotation.normalized;
+            m_LocalScale = scale;
+        }
+
         internal override void CopyNativeState(Component source, Func<Object, Object> remap)
         {
             var other = (Transform)source;

@@ -1,5 +1,6 @@
 using System.Collections;
 using System.Collections.Generic;
+using UnityEngine.SceneManagement;
 
 namespace UnityEngine
 {
@@ -8,6 +9,7 @@ namespace UnityEngine
     {
         readonly List<Transform> m_Children = new();
         Transform m_Parent;
+        SceneData m_Scene;
 
         protected Transform()
         {
@@ -59,8 +61,10 @@ namespace UnityEngine
             }
 
             var world = worldPositionStays ? WorldPose() : default;
+            var scene = Scene;
             Unhook();
             m_Parent = target;
+            m_Scene = target is null ? scene : null;
             Siblings.Add(this);
             if (worldPositionStays)
                 SetWorldPose(world);
@@ -157,10 +161,50 @@ namespace UnityEngine
                     yield return t.Owner;
         }
 
+        /// <summary>The scene of the hierarchy; null for a prefab.</summary>
+        internal SceneData Scene
+        {
+            get
+            {
+                var t = this;
+                while (t.m_Parent is not null)
+                    t = t.m_Parent;
+                return t.m_Scene;
+            }
+        }
+
         /// <summary>Leaves parent or scene, for reparenting and destruction.</summary>
         internal void Unhook() => Siblings.RemoveAll(t => ReferenceEquals(t, this));
 
-        List<Transform> Siblings => m_Parent is null ? SceneRoots.Transforms : m_Parent.m_Children;
+        /// <summary>Moves a root into a scene, as its last root.</summary>
+        internal void MoveTo(SceneData scene)
+        {
+            Unhook();
+            m_Scene = scene;
+            scene.Roots.Add(this);
+        }
+
+        /// <summary>Makes a transform that has neither parent nor scene another's last child; nobody is told.</summary>
+        internal void HangBelow(Transform parent)
+        {
+            m_Parent = parent;
+            parent.m_Children.Add(this);
+        }
+
+        /// <summary>Takes the place of another transform of the same object: pose, parent, children.</summary>
+        internal void Replace(Transform old)
+        {
+            CopyNativeState(old, o => o);
+            (m_Parent, m_Scene) = (old.m_Parent, old.m_Scene);
+            var siblings = old.Siblings;
+            siblings[siblings.FindIndex(t => ReferenceEquals(t, old))] = this;
+            foreach (var child in old.m_Children)
+                child.m_Parent = this;
+            m_Children.AddRange(old.m_Children);
+        }
+
+        /// <summary>A prefab's root has none.</summary>
+        List<Transform> Siblings => m_Parent is not null ? m_Parent.m_Children : m_Scene is not null ? m_Scene.Roots : new List<Transform>();
 
         void NotifyHierarchy()
         {

@@ -77,7 +77,10 @@ namespace UnityEngine
 
         static GameObject CopyStructure(GameObject original, Transform parent, Dictionary<Object, Object> map)
         {
-            var copy = new GameObject(original.NameForMessages) { layer = original.layer, tag = original.tag, hideFlags = original.hideFlags };
+            var copy = original.OwnTransform is RectTransform
+                ? new GameObject(original.NameForMessages, typeof(RectTransform))
+                : new GameObject(original.NameForMessages);
+            (copy.layer, copy.tag, copy.hideFlags, copy.isStatic) = (original.layer, original.tag, original.hideFlags, original.isStatic);
             // Nobody wakes up before the whole copy is in place.
             copy.SetActiveSelfSilently(false);
             map.Add(original, copy);
@@ -100,6 +103,7 @@ namespace UnityEngine
             if (Object.IsAlive(parent))
                 root.OwnTransform.SetParent(parent, worldPositionStays);
             pose?.Invoke(root.OwnTransform);
+            Validation.SendToAll(new[] { root });
             root.SetActive(active);
         }
     }

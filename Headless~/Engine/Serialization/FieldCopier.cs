@@ -1,6 +1,7 @@
 using System;
 using System.Collections;
 using System.Collections.Generic;
+using System.Reflection;
 using UnityEngine.Events;
 
 namespace UnityEngine
@@ -25,11 +26,12 @@ namespace UnityEngine
         void CopyFields(object from, object to, int depth)
         {
             foreach (var field in SerializedFields.Of(from.GetType()))
-            {
-                var value = field.GetValue(from);
-                field.SetValue(to, SerializedFields.IsReference(field) ? CopyReference(value, field.FieldType) : CopyValue(value, field.FieldType, depth));
-            }
+                field.SetValue(to, Value(field, field.GetValue(from), depth));
         }
+
+        /// <summary>A copy of a field's value.</summary>
+        internal object Value(FieldInfo field, object value, int depth = 0) =>
+            SerializedFields.IsReference(field) ? CopyReference(value, field.FieldType) : CopyValue(value, field.FieldType, depth);
 
         object CopyValue(object value, Type type, int depth)
         {
@@ -42,7 +44,7 @@ namespace UnityEngine
             if (SerializedFields.ElementOf(type) is { } element)
                 return CopyList((IList)value, type, item => CopyValue(item, element, depth));
             if (typeof(UnityEventBase).IsAssignableFrom(type))
-                return Activator.CreateInstance(type, true);
+                return CopyEvent((UnityEventBase)value, type);
             if (depth >= DepthLimit)
                 return type.IsValueType ? value : null;
             var copy = Activator.CreateInstance(type, true);
@@ -68,6 +70,16 @@ namespace UnityEngine
             var copy = Activator.CreateInstance(value.GetType(), true);
             m_References.Add(value, copy);
             CopyFields(value, copy, 0);
+            return copy;
+        }
+
+        /// <summary>What was wired in the Inspector goes along, what was added by code does not.</summary>
+        UnityEventBase CopyEvent(UnityEventBase value, Type type)
+        {
+            var copy = (UnityEventBase)Activator.CreateInstance(type, true);
+            if (value != null)
+                foreach (var call in value.PersistentCalls)
+                    copy.PersistentCalls.Add(call.For(m_Remap));
             return copy;
         }
 

@@ -39,6 +39,24 @@ namespace UnityEngine
 
         internal static bool IsReference(FieldInfo field) => field.IsDefined(typeof(SerializeReference), false);
 
+        /// <summary>Sets a field, or one of a field's value: "quality.step".</summary>
+        /// <exception cref="ArgumentException">There is no such serialised field, or the value does not fit.</exception>
+        internal static void Set(object target, string path, object value)
+        {
+            var dot = path.IndexOf('.');
+            var name = dot < 0 ? path : path.Substring(0, dot);
+            var field = Array.Find(Of(target.GetType()), f => f.Name == name)
+                ?? throw new ArgumentException($"{target.GetType().Name} has no serialised field '{name}'", nameof(path));
+            if (dot >= 0)
+            {
+                var inner = field.GetValue(target);
+                Set(inner, path.Substring(dot + 1), value);
+                value = inner;
+            }
+
+            field.SetValue(target, value);
+        }
+
         static FieldInfo[] Collect(Type type)
         {
             var fields = new List<FieldInfo>();

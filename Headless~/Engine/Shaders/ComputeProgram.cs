@@ -4,24 +4,13 @@ using System.Linq;
 namespace UnityEngine.Shaders
 {
     /// <summary>What all copies of a ComputeShader share: source and compiled variants.</summary>
-    sealed class ComputeProgram
+    sealed class ComputeProgram : KeywordOwner
     {
         readonly Dictionary<string, KernelVariant> m_Variants = new();
-        readonly HashSet<string> m_Keywords = new();
 
-        internal ComputeProgram(ComputeSource source)
-        {
-            Source = source;
-            Keywords = source.KeywordSets.SelectMany(s => s.Keywords).Where(k => !KeywordSet.IsNone(k)).Distinct().ToList();
-            m_Keywords.UnionWith(Keywords);
-        }
+        internal ComputeProgram(ComputeSource source) : base(source.KeywordSets) => Source = source;
 
         internal ComputeSource Source { get; }
-
-        /// <summary>All keywords, in order of declaration.</summary>
-        internal IReadOnlyList<string> Keywords { get; }
-
-        internal bool HasKeyword(string name) => m_Keywords.Contains(name);
 
         internal int KernelIndex(string name)
         {
@@ -38,18 +27,10 @@ namespace UnityEngine.Shaders
             return m_Variants.Any(v => v.Value.Runs && v.Key.StartsWith(prefix, System.StringComparison.Ordinal));
         }
 
-        /// <summary>The variant that fits the enabled keywords: the first enabled one of each set; a set without a "none" falls back to its first.</summary>
+        /// <summary>The variant that fits the enabled keywords.</summary>
         internal KernelVariant Variant(int kernel, ISet<string> local, ISet<string> global)
         {
-            var chosen = new List<string>();
-            foreach (var set in Source.KeywordSets)
-            {
-                var keyword = set.Keywords.FirstOrDefault(k => local.Contains(k) || (!set.IsLocal && global.Contains(k)));
-                if (keyword == null && set.Keywords.Count > 1 && !set.Keywords.Any(KeywordSet.IsNone))
-                    keyword = set.Keywords[0];
-                if (keyword != null && !KeywordSet.IsNone(keyword))
-                    chosen.Add(keyword);
-            }
+            var chosen = KeywordChoice.Of(Source.KeywordSets, local, global);
             var key = kernel + " " + string.Join(" ", chosen);
             if (!m_Variants.TryGetValue(key, out var variant))
             {

@@ -11,6 +11,27 @@ using UnityEngine.Vulkan;
 
 namespace UnityEngine.Shaders
 {
+    /// <summary>What to compile.</summary>
+    sealed class HlslJob
+    {
+        /// <summary>What messages call it: "'Name', kernel K".</summary>
+        internal string Subject;
+
+        /// <summary>The file that messages without one of their own are about.</summary>
+        internal string Path;
+
+        /// <summary>All the source, includes in place.</summary>
+        internal string Text;
+
+        /// <summary>comp, vert or frag.</summary>
+        internal string Stage;
+
+        internal string Entry;
+
+        /// <summary>"NAME=VALUE".</summary>
+        internal IReadOnlyList<string> Defines;
+    }
+
     /// <summary>HLSL to SPIR-V by glslang, with a cache on disk that is keyed by everything that goes in.</summary>
     static class HlslCompiler
     {
@@ -19,7 +40,10 @@ namespace UnityEngine.Shaders
         // Changes when the command line or the rewriting of the result changes.
         const string Generation = "1";
 
-        static readonly string[] s_UnityDefines = { "SHADER_API_VULKAN=1", "SHADER_STAGE_COMPUTE=1", "SHADER_TARGET=50", "UNITY_VERSION=600000" };
+        static readonly string[] s_ComputeDefines = { "SHADER_API_VULKAN=1", "SHADER_STAGE_COMPUTE=1", "SHADER_TARGET=50", "UNITY_VERSION=600000" };
+
+        // Unity's language for drawing: semantics say what belongs together, sampler2D is known, and SV_Position.w is w.
+        static readonly string[] s_DrawOptions = { "--auto-map-locations", "-fhlsl_functionality1", "--hlsl-dx9-compatible", "--hlsl-dx-position-w" };
 
         static string s_Version;
 
@@ -31,22 +55,33 @@ namespace UnityEngine.Shaders
 
         /// <summary>Compiles one kernel of a source.</summary>
         /// <exception cref="ShaderCompileException">An error in the source; or no compiler.</exception>
-        internal static byte[] Compile(ComputeSource source, string kernel, IReadOnlyList<string> defines)
+        internal static byte[] Compile(ComputeSource source, string kernel, IReadOnlyList<string> defines) => Compile(new HlslJob
         {
-            var all = s_UnityDefines.Concat(defines).ToList();
-            var cached = Path.Combine(GpuOptions.EffectiveCacheFolder, "kernels", Key(source, kernel, all) + ".spv");
+            Subject = $"'{Path.GetFileNameWithoutExtension(source.Path)}', kernel {kernel}",
+            Path = source.Path,
+            Text = source.Text,
+            Stage = "comp",
+            Entry = kernel,
+            Defines = s_ComputeDefines.Concat(defines).ToList(),
+        });
+
+        /// <summary>Compiles one entry point.</summary>
+        /// <exception cref="ShaderCompileException">An error in the source; or no compiler.</exception>
+        internal static byte[] Compile(HlslJob job)
+        {
+            var cached = Path.Combine(GpuOptions.EffectiveCacheFolder, "kernels", Key(job) + ".spv");
             if (TryRead(cached, out var spirv))
             {
                 CacheHitCount++;
                 return spirv;
             }
-            spirv = Run(source, kernel, all);
+            spirv = Run(job);
             CompileCount++;
             AtomicFile.TryWrite(cached, spirv);
             return spirv;
         }
 
-        static byte[] Run(ComputeSource source, string kernel, List<string> defines)
+        static byte[] Run(HlslJob job)
         {
             var folder = Path.Combine(Path.GetTempPath(), "anatomycarve-" + Guid.NewGuid().ToString("N"));
             Directory.CreateDirectory(folder);
@@ -54,18 +89,20 @@ namespace UnityEngine.Shaders
             {
                 var input = Path.Combine(folder, "kernel.hlsl");
                 var output = Path.Combine(folder, "kernel.spv");
-                File.WriteAllText(input, source.Text, new UTF8Encoding(false));
+                File.WriteAllText(input, job.Text, new UTF8Encoding(false));
                 var arguments = new List<string>
                 {
-                    "-D", "-V", "-S", "comp", "-e", kernel, "--source-entrypoint", kernel, "--target-env", "vulkan1.1",
+                    "-D", "-V", "-S", job.Stage, "-e", job.Entry, "--source-entrypoint", job.Entry, "--target-env", "vulkan1.1",
                     "--hlsl-offsets", "--auto-map-bindings", "-o", output,
                 };
-                arguments.AddRange(defines.Select(d => "-D" + d));
+                if (job.Stage != "comp")
+                    arguments.AddRange(s_DrawOptions);
+                arguments.AddRange(job.Defines.Select(d => "-D" + d));
                 arguments.Add(input);
                 var (code, log) = Start(arguments);
                 var problems = Problems(log, input);
                 if (code != 0 || problems.Count > 0 || !File.Exists(output))
-                    throw new ShaderCompileException(Describe(source, kernel, problems, log));
+                    throw new ShaderCompileException(Describe(job, problems, log));
                 return File.ReadAllBytes(output);
             }
             finally
@@ -83,10 +120,9 @@ namespace UnityEngine.Shaders
             .Select(l => l.Replace(input + ":", ""))
             .ToList();
 
-        static string Describe(ComputeSource source, string kernel, List<string> problems, string log)
+        static string Describe(HlslJob job, List<string> problems, string log)
         {
-            var text = new StringBuilder().Append("Shader error in '").Append(Path.GetFileNameWithoutExtension(source.Path)).Append("', kernel ")
-                .Append(kernel).Append(':');
+            var text = new StringBuilder("Shader error in ").Append(job.Subject).Append(':');
             if (problems.Count == 0)
                 return text.Append('\n').Append(log.Trim()).ToString();
             foreach (var problem in problems)
@@ -97,18 +133,18 @@ namespace UnityEngine.Shaders
                 if (match.Success)
                     text.Append(match.Groups["file"].Value).Append('(').Append(match.Groups["line"].Value).Append("): ").Append(match.Groups["text"].Value);
                 else
-                    text.Append(source.Path).Append(": ").Append(problem);
+                    text.Append(job.Path).Append(": ").Append(problem);
             }
             return text.ToString();
         }
 
-        static string Key(ComputeSource source, string kernel, List<string> defines)
+        static string Key(HlslJob job)
         {
             s_Version ??= Start(new List<string> { "--version" }).Log;
-            var text = string.Join("\n", Generation, s_Version, kernel, string.Join("\n", defines), source.Text);
+            var text = string.Join("\n", Generation, s_Version, job.Entry, string.Join("\n", job.Defines), job.Text);
             using var sha = SHA256.Create();
             var hash = sha.ComputeHash(Encoding.UTF8.GetBytes(text));
-            return kernel + "-" + BitConverter.ToString(hash, 0, 16).Replace("-", "").ToLowerInvariant();
+            return job.Entry + "-" + BitConverter.ToString(hash, 0, 16).Replace("-", "").ToLowerInvariant();
         }
 
         static (int Code, string Log) Start(List<string> arguments)

@@ -8,8 +8,8 @@ using System.Text.RegularExpressions;
 namespace UnityEngine.Shaders
 {
     /// <summary>
-    /// Puts included files in place, as Unity finds them: beside the including file, or under "Packages/name/". The compiler then needs
-    /// no search path, and the text holds all that the result depends on.
+    /// Puts included files in place, as Unity finds them: beside the including file, under "Packages/name/", or among Unity's own. The compiler
+    /// then needs no search path, and the text holds all that the result depends on.
     /// </summary>
     static class IncludeExpander
     {
@@ -21,16 +21,32 @@ namespace UnityEngine.Shaders
         internal static string Expand(string path, string text)
         {
             var output = new StringBuilder(text.Length * 2);
-            Append(output, path, text, new List<string>(), new HashSet<string>(StringComparer.Ordinal));
+            Append(output, path, text, 0, new List<string>(), new HashSet<string>(StringComparer.Ordinal));
             return output.ToString();
         }
 
-        static void Append(StringBuilder output, string path, string text, List<string> stack, HashSet<string> once)
+        /// <summary>The same for blocks of one file that follow each other, after files that are included unasked.</summary>
+        internal static string Expand(string path, IEnumerable<string> first, IEnumerable<ShaderLabBlock> blocks)
+        {
+            var output = new StringBuilder();
+            var once = new HashSet<string>(StringComparer.Ordinal);
+            foreach (var include in first)
+                Append(output, path, "#include \"" + include + "\"\n", 0, new List<string>(), once);
+            foreach (var block in blocks)
+                Append(output, path, block.Text, block.Line - 1, new List<string>(), once);
+            return output.ToString();
+        }
+
+        /// <summary>The text of a file that an #include names; null if there is none.</summary>
+        internal static (string Path, string Text)? Find(string include, string from) =>
+            Resolve(include, from) is { } path ? (path, Read(path)) : null;
+
+        static void Append(StringBuilder output, string path, string text, int linesBefore, List<string> stack, HashSet<string> once)
         {
             if (stack.Count == MaxDepth)
                 throw new ShaderCompileException($"{path}: includes are nested more than {MaxDepth} deep");
             stack.Add(path);
-            Line(output, 1, path);
+            Line(output, linesBefore + 1, path);
             var lines = text.TrimStart('\uFEFF').Split('\n');
             for (var i = 0; i < lines.Length; i++)
             {
@@ -56,8 +72,8 @@ namespace UnityEngine.Shaders
                 }
                 // A file that includes itself in a circle is under its own guard by now.
                 if (!stack.Contains(included) && !once.Contains(included))
-                    Append(output, included, File.ReadAllText(included, Encoding.UTF8), stack, once);
-                Line(output, i + 2, path);
+                    Append(output, included, Read(included), 0, stack, once);
+                Line(output, linesBefore + i + 2, path);
             }
             stack.RemoveAt(stack.Count - 1);
         }
@@ -70,8 +86,18 @@ namespace UnityEngine.Shaders
                     return null;
                 return Existing(Path.Combine(GpuOptions.PackageRoot, include.Substring(PackagePrefix.Length)));
             }
-            return Existing(Path.Combine(Path.GetDirectoryName(from) ?? ".", include));
+            return Beside(include, from) ?? ShaderEnvironment.Resolve(include);
         }
+
+        static string Beside(string include, string from)
+        {
+            var path = (Path.GetDirectoryName(from) ?? ".") + "/" + include;
+            return IsLibrary(from) ? ShaderEnvironment.Resolve(path.Substring(ShaderEnvironment.LibraryPrefix.Length)) : Existing(path);
+        }
+
+        static bool IsLibrary(string path) => path.StartsWith(ShaderEnvironment.LibraryPrefix, StringComparison.Ordinal);
+
+        static string Read(string path) => IsLibrary(path) ? ShaderEnvironment.ReadLibrary(path) : File.ReadAllText(path, Encoding.UTF8);
 
         static string Existing(string path) => File.Exists(path) ? Path.GetFullPath(path) : null;
 

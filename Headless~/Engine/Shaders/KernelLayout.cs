@@ -7,6 +7,9 @@ namespace UnityEngine.Shaders
     enum BindingKind
     {
         Texture,
+
+        /// <summary>A texture with its sampler in one, as sampler2D declares it.</summary>
+        SampledTexture,
         RandomWriteTexture,
         Sampler,
         ConstantBuffer,

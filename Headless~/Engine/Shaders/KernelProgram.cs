@@ -14,8 +14,8 @@ namespace UnityEngine.Shaders
             m_Device = context.Device;
             try
             {
-                SetLayout = CreateSetLayout(layout);
-                PipelineLayout = CreatePipelineLayout();
+                SetLayout = DescriptorLayouts.CreateSet(m_Device, layout.Bindings, Vk.VK_SHADER_STAGE_COMPUTE_BIT);
+                PipelineLayout = DescriptorLayouts.CreatePipeline(m_Device, SetLayout);
                 Pipeline = CreatePipeline(kernel, spirv);
             }
             catch
@@ -33,15 +33,6 @@ namespace UnityEngine.Shaders
 
         internal ulong Pipeline { get; private set; }
 
-        internal static uint DescriptorType(BindingKind kind) => kind switch
-        {
-            BindingKind.Texture => Vk.VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE,
-            BindingKind.RandomWriteTexture => Vk.VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
-            BindingKind.Sampler => Vk.VK_DESCRIPTOR_TYPE_SAMPLER,
-            BindingKind.ConstantBuffer => Vk.VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
-            _ => Vk.VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-        };
-
         public void Dispose()
         {
             if (Pipeline != 0)
@@ -53,56 +44,11 @@ namespace UnityEngine.Shaders
             Pipeline = PipelineLayout = SetLayout = 0;
         }
 
-        ulong CreateSetLayout(KernelLayout layout)
-        {
-            var bindings = new VkDescriptorSetLayoutBinding[layout.Bindings.Count];
-            for (var i = 0; i < bindings.Length; i++)
-            {
-                bindings[i] = new VkDescriptorSetLayoutBinding
-                {
-                    binding = layout.Bindings[i].Index,
-                    descriptorType = DescriptorType(layout.Bindings[i].Kind),
-                    descriptorCount = 1,
-                    stageFlags = Vk.VK_SHADER_STAGE_COMPUTE_BIT,
-                };
-            }
-            ulong handle;
-            fixed (VkDescriptorSetLayoutBinding* p = bindings)
-            {
-                var info = new VkDescriptorSetLayoutCreateInfo
-                {
-                    sType = Vk.VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
-                    bindingCount = (uint)bindings.Length,
-                    pBindings = p,
-                };
-                VulkanException.Check(m_Device.Api.vkCreateDescriptorSetLayout(m_Device.Handle, &info, null, &handle), "vkCreateDescriptorSetLayout");
-            }
-            return handle;
-        }
-
-        ulong CreatePipelineLayout()
-        {
-            var set = SetLayout;
-            var info = new VkPipelineLayoutCreateInfo { sType = Vk.VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO, setLayoutCount = 1, pSetLayouts = &set };
-            ulong handle;
-            VulkanException.Check(m_Device.Api.vkCreatePipelineLayout(m_Device.Handle, &info, null, &handle), "vkCreatePipelineLayout");
-            return handle;
-        }
-
         ulong CreatePipeline(string kernel, byte[] spirv)
         {
             using var text = new NativeText();
-            ulong module, pipeline;
-            fixed (byte* code = spirv)
-            {
-                var moduleInfo = new VkShaderModuleCreateInfo
-                {
-                    sType = Vk.VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
-                    codeSize = (nuint)spirv.Length,
-                    pCode = (uint*)code,
-                };
-                VulkanException.Check(m_Device.Api.vkCreateShaderModule(m_Device.Handle, &moduleInfo, null, &module), "vkCreateShaderModule");
-            }
+            var module = DescriptorLayouts.CreateModule(m_Device, spirv);
+            ulong pipeline;
             var info = new VkComputePipelineCreateInfo
             {
                 sType = Vk.VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,

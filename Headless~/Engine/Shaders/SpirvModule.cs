@@ -8,10 +8,12 @@ namespace UnityEngine.Shaders
     enum SpirvOp : ushort
     {
         Name = 5,
+        Extension = 10,
         MemberName = 6,
         EntryPoint = 15,
         ExecutionMode = 16,
         Capability = 17,
+        TypeVoid = 19,
         TypeBool = 20,
         TypeInt = 21,
         TypeFloat = 22,
@@ -19,15 +21,18 @@ namespace UnityEngine.Shaders
         TypeMatrix = 24,
         TypeImage = 25,
         TypeSampler = 26,
+        TypeSampledImage = 27,
         TypeArray = 28,
         TypeRuntimeArray = 29,
         TypeStruct = 30,
         TypePointer = 32,
         Constant = 43,
+        Function = 54,
         FunctionCall = 57,
         Variable = 59,
         ImageTexelPointer = 60,
         Load = 61,
+        Store = 62,
         AccessChain = 65,
         Decorate = 71,
         MemberDecorate = 72,
@@ -36,6 +41,9 @@ namespace UnityEngine.Shaders
         ImageWrite = 99,
         Select = 169,
         Phi = 245,
+        Label = 248,
+        DecorateString = 5632,
+        MemberDecorateString = 5633,
     }
 
     /// <summary>One instruction: opcode and operands, as a window on the module's words.</summary>

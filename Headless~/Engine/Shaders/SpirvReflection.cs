@@ -88,6 +88,10 @@ namespace UnityEngine.Shaders
                 case SpirvOp.TypeImage:
                     Image(binding, type, id);
                     break;
+                case SpirvOp.TypeSampledImage:
+                    Image(binding, m_Types[type[2]], id);
+                    binding.Kind = BindingKind.SampledTexture;
+                    break;
                 case SpirvOp.TypeStruct when m_Types.HasDecoration(type[1], DecorationBufferBlock):
                     StorageBlock(binding, type);
                     break;

@@ -20,6 +20,8 @@ namespace UnityEngine.Vulkan
         readonly Stack<Submission> m_Free = new();
         readonly List<(VulkanResource Resource, bool Write)> m_Touched = new();
         readonly List<VkImageMemoryBarrier> m_Transitions = new();
+        readonly RenderPassCache m_RenderPasses;
+        readonly DrawPass m_Pass;
         Submission m_Open;
         ulong m_LastSerial;
         long m_Epoch;
@@ -28,6 +30,8 @@ namespace UnityEngine.Vulkan
         internal CommandStream(VulkanDevice device)
         {
             m_Device = device;
+            m_RenderPasses = new RenderPassCache(device);
+            m_Pass = new DrawPass(device, m_RenderPasses);
             m_Staging = new HostArena(device, StagingChunk, Vk.VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
             m_Uniforms = new HostArena(device, UniformChunk, Vk.VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
         }
@@ -57,6 +61,34 @@ namespace UnityEngine.Vulkan
             }
         }
 
+        /// <summary>The render pass that draws into a target belong to.</summary>
+        internal ulong RenderPass(PassTarget target) => m_RenderPasses.Get(target);
+
+        /// <summary>The pass that gathers draws into a target: the open one if it has the same target.</summary>
+        internal DrawPass Pass(PassTarget target)
+        {
+            if (!target.IsSameAs(m_Pass.Target))
+                EndPass();
+            if (m_Pass.Target == null)
+                m_Pass.Begin(target);
+            // What the draws use must live until this submission has run.
+            var serial = Open.Serial;
+            foreach (var color in target.Colors)
+                color.LastUse = serial;
+            foreach (var resolve in target.Resolves)
+                resolve.LastUse = serial;
+            if (target.Depth != null)
+                target.Depth.LastUse = serial;
+            return m_Pass;
+        }
+
+        /// <summary>Records the draws that have gathered, before anything else is recorded.</summary>
+        internal void EndPass()
+        {
+            if (m_Pass.Target != null)
+                m_Pass.Record(this, Open);
+        }
+
         /// <summary>Says that the next command reads a buffer.</summary>
         internal void Read(VulkanBuffer buffer) => Touch(buffer, write: false);
 
@@ -80,6 +112,7 @@ namespace UnityEngine.Vulkan
         /// <summary>Puts the barrier that the announced uses need and returns the command buffer for the command itself.</summary>
         internal nint Command()
         {
+            EndPass();
             var open = Open;
             if (m_NeedsBarrier || m_Transitions.Count > 0)
                 Barrier(open.Commands);
@@ -108,7 +141,7 @@ namespace UnityEngine.Vulkan
             return m_Staging.Take(size, alignment, Open.StagingChunks);
         }
 
-        /// <summary>Mapped memory for constants of the next dispatch.</summary>
+        /// <summary>Mapped memory for constants of the next dispatch or draw.</summary>
         internal HostSlice Uniforms(ulong size) =>
             m_Uniforms.Take(size, Math.Max(16, m_Device.Properties.limits.minUniformBufferOffsetAlignment), Open.UniformChunks);
 
@@ -130,6 +163,7 @@ namespace UnityEngine.Vulkan
         {
             if (m_Open == null)
                 return;
+            EndPass();
             HostBarrier(m_Open.Commands);
             m_Staging.Seal();
             m_Uniforms.Seal();
@@ -165,6 +199,7 @@ namespace UnityEngine.Vulkan
             m_Free.Clear();
             m_Staging.Dispose();
             m_Uniforms.Dispose();
+            m_RenderPasses.Dispose();
         }
 
         Submission Newest()
@@ -188,6 +223,7 @@ namespace UnityEngine.Vulkan
 
         void Touch(VulkanResource resource, bool write)
         {
+            EndPass();
             if (resource.WriteEpoch == m_Epoch || (write && resource.ReadEpoch == m_Epoch))
                 m_NeedsBarrier = true;
             m_Touched.Add((resource, write));
@@ -207,7 +243,7 @@ namespace UnityEngine.Vulkan
                 srcQueueFamilyIndex = Vk.VK_QUEUE_FAMILY_IGNORED,
                 dstQueueFamilyIndex = Vk.VK_QUEUE_FAMILY_IGNORED,
                 image = image.Handle,
-                subresourceRange = VulkanImage.Whole,
+                subresourceRange = image.Whole,
             });
             image.Layout = layout;
         }

@@ -11,7 +11,7 @@ namespace UnityEngine.Vulkan
         static readonly (uint Type, uint PerSet)[] s_Kinds =
         {
             (Vk.VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, 8), (Vk.VK_DESCRIPTOR_TYPE_SAMPLER, 4), (Vk.VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, 8),
-            (Vk.VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 4), (Vk.VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 12),
+            (Vk.VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 4), (Vk.VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 12), (Vk.VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 2),
         };
 
         readonly VulkanDevice m_Device;

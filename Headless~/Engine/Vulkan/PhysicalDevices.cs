@@ -27,15 +27,15 @@ namespace UnityEngine.Vulkan
         /// <summary>The first queue family that computes and draws, or computes alone; -1 if there is none.</summary>
         internal static int QueueFamily(VulkanInstance instance, nint device)
         {
-            uint count = 0;
-            instance.Api.vkGetPhysicalDeviceQueueFamilyProperties(device, &count, null);
-            var families = new VkQueueFamilyProperties[count];
-            fixed (VkQueueFamilyProperties* p = families)
-                instance.Api.vkGetPhysicalDeviceQueueFamilyProperties(device, &count, p);
+            var families = Families(instance, device);
             const uint both = Vk.VK_QUEUE_GRAPHICS_BIT | Vk.VK_QUEUE_COMPUTE_BIT;
             var index = Array.FindIndex(families, f => (f.queueFlags & both) == both);
             return index >= 0 ? index : Array.FindIndex(families, f => (f.queueFlags & Vk.VK_QUEUE_COMPUTE_BIT) != 0);
         }
+
+        /// <summary>Whether a queue family takes draws.</summary>
+        internal static bool Draws(VulkanInstance instance, nint device, uint family) =>
+            (Families(instance, device)[family].queueFlags & Vk.VK_QUEUE_GRAPHICS_BIT) != 0;
 
         internal static VkPhysicalDeviceProperties Properties(VulkanInstance instance, nint device)
         {
@@ -48,6 +48,16 @@ namespace UnityEngine.Vulkan
         {
             fixed (byte* name = properties.deviceName)
                 return NativeText.Read(name);
+        }
+
+        static VkQueueFamilyProperties[] Families(VulkanInstance instance, nint device)
+        {
+            uint count = 0;
+            instance.Api.vkGetPhysicalDeviceQueueFamilyProperties(device, &count, null);
+            var families = new VkQueueFamilyProperties[count];
+            fixed (VkQueueFamilyProperties* p = families)
+                instance.Api.vkGetPhysicalDeviceQueueFamilyProperties(device, &count, p);
+            return families;
         }
 
         static nint Named(VulkanInstance instance, List<nint> devices, string wanted)

@@ -1,7 +1,7 @@
 namespace UnityEngine.Vulkan
 {
     /// <summary>The constants of vulkan_core.h that are used here.</summary>
-    static class Vk
+    static partial class Vk
     {
         public const int VK_SUCCESS = 0;
         public const int VK_NOT_READY = 1;

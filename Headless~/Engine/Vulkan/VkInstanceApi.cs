@@ -8,6 +8,7 @@ namespace UnityEngine.Vulkan
         public readonly delegate* unmanaged[Cdecl]<nint, VkPhysicalDeviceProperties*, void> vkGetPhysicalDeviceProperties;
         public readonly delegate* unmanaged[Cdecl]<nint, VkPhysicalDeviceProperties2*, void> vkGetPhysicalDeviceProperties2;
         public readonly delegate* unmanaged[Cdecl]<nint, VkPhysicalDeviceFeatures*, void> vkGetPhysicalDeviceFeatures;
+        public readonly delegate* unmanaged[Cdecl]<nint, VkPhysicalDeviceFeatures2*, void> vkGetPhysicalDeviceFeatures2;
         public readonly delegate* unmanaged[Cdecl]<nint, uint*, VkQueueFamilyProperties*, void> vkGetPhysicalDeviceQueueFamilyProperties;
         public readonly delegate* unmanaged[Cdecl]<nint, VkPhysicalDeviceMemoryProperties*, void> vkGetPhysicalDeviceMemoryProperties;
         public readonly delegate* unmanaged[Cdecl]<nint, uint, VkFormatProperties*, void> vkGetPhysicalDeviceFormatProperties;
@@ -23,6 +24,7 @@ namespace UnityEngine.Vulkan
             vkGetPhysicalDeviceProperties = (delegate* unmanaged[Cdecl]<nint, VkPhysicalDeviceProperties*, void>)load("vkGetPhysicalDeviceProperties");
             vkGetPhysicalDeviceProperties2 = (delegate* unmanaged[Cdecl]<nint, VkPhysicalDeviceProperties2*, void>)load("vkGetPhysicalDeviceProperties2");
             vkGetPhysicalDeviceFeatures = (delegate* unmanaged[Cdecl]<nint, VkPhysicalDeviceFeatures*, void>)load("vkGetPhysicalDeviceFeatures");
+            vkGetPhysicalDeviceFeatures2 = (delegate* unmanaged[Cdecl]<nint, VkPhysicalDeviceFeatures2*, void>)load("vkGetPhysicalDeviceFeatures2");
             vkGetPhysicalDeviceQueueFamilyProperties =
                 (delegate* unmanaged[Cdecl]<nint, uint*, VkQueueFamilyProperties*, void>)load("vkGetPhysicalDeviceQueueFamilyProperties");
             vkGetPhysicalDeviceMemoryProperties =

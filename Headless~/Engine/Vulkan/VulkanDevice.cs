@@ -20,8 +20,9 @@ namespace UnityEngine.Vulkan
             instance.Api.vkGetPhysicalDeviceMemoryProperties(Physical, &memory);
             m_Memory = memory;
             SubgroupSize = QuerySubgroupSize(instance);
+            Abilities = new DeviceAbilities(instance, Physical, PhysicalDevices.Draws(instance, Physical, QueueFamily));
             Handle = Create(instance);
-            Api = instance.LoadDevice(Handle);
+            (Api, Draw) = instance.LoadDevice(Handle);
             nint queue;
             Api.vkGetDeviceQueue(Handle, QueueFamily, 0, &queue);
             Queue = queue;
@@ -38,6 +39,10 @@ namespace UnityEngine.Vulkan
         internal uint QueueFamily { get; }
 
         internal VkDeviceApi Api { get; }
+
+        internal VkDrawApi Draw { get; }
+
+        internal DeviceAbilities Abilities { get; }
 
         internal VkPhysicalDeviceProperties Properties { get; }
 
@@ -117,20 +122,11 @@ namespace UnityEngine.Vulkan
 
         nint Create(VulkanInstance instance)
         {
-            VkPhysicalDeviceFeatures available;
-            instance.Api.vkGetPhysicalDeviceFeatures(Physical, &available);
-            if (available.shaderStorageImageWriteWithoutFormat == 0)
+            if (!Abilities.WritesWithoutFormat)
                 throw new VulkanException($"{Name} lacks shaderStorageImageWriteWithoutFormat, which kernels that write textures need.");
-            var features = new VkPhysicalDeviceFeatures
-            {
-                shaderStorageImageWriteWithoutFormat = 1,
-                shaderStorageImageExtendedFormats = available.shaderStorageImageExtendedFormats,
-                robustBufferAccess = available.robustBufferAccess,
-                shaderInt64 = available.shaderInt64,
-                shaderFloat64 = available.shaderFloat64,
-                shaderInt16 = available.shaderInt16,
-                imageCubeArray = available.imageCubeArray,
-            };
+            using var text = new NativeText();
+            var features = Abilities.Features;
+            var multiview = new VkPhysicalDeviceMultiviewFeatures { sType = Vk.VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MULTIVIEW_FEATURES, multiview = 1 };
             var priority = 1f;
             var queue = new VkDeviceQueueCreateInfo
             {
@@ -142,8 +138,11 @@ namespace UnityEngine.Vulkan
             var info = new VkDeviceCreateInfo
             {
                 sType = Vk.VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
+                pNext = Abilities.HasMultiview ? &multiview : null,
                 queueCreateInfoCount = 1,
                 pQueueCreateInfos = &queue,
+                enabledExtensionCount = (uint)Abilities.Extensions.Count,
+                ppEnabledExtensionNames = text.AddAll(Abilities.Extensions),
                 pEnabledFeatures = &features,
             };
             nint device;

@@ -68,17 +68,19 @@ namespace UnityEngine.Vulkan
 
         internal VkInstanceApi Api { get; }
 
-        internal VkDeviceApi LoadDevice(nint device)
+        internal (VkDeviceApi Api, VkDrawApi Draw) LoadDevice(nint device)
         {
             using var text = new NativeText();
             var getAddress = (delegate* unmanaged[Cdecl]<nint, byte*, nint>)Load(Handle, "vkGetDeviceProcAddr", required: true);
-            return new VkDeviceApi(name =>
+            nint Get(string name)
             {
                 var address = getAddress(device, text.Add(name));
                 if (address == 0 && !name.EndsWith("EXT", StringComparison.Ordinal))
                     throw new VulkanException($"The Vulkan driver lacks {name}.");
                 return address;
-            });
+            }
+
+            return (new VkDeviceApi(Get), new VkDrawApi(Get));
         }
 
         public void Dispose()

@@ -49,12 +49,17 @@ namespace UnityEngine.Vulkan
         uint OnMessage(uint severity, uint type, VkDebugUtilsMessengerCallbackDataEXT* data, void* user)
         {
             var kind = (type & Vk.VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT) != 0 ? "Vulkan validation: " : "Vulkan: ";
+            var isError = (severity & Vk.VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT) != 0;
             // The loader warns of drivers that do not fit this machine; that is no fault of a caller.
-            if ((type & Vk.VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT) == 0 && (severity & Vk.VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT) == 0)
+            if ((type & Vk.VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT) == 0 && !isError)
+                return 0;
+            // A colour without a target is dropped, as everywhere; shaders that draw depth alone may have one.
+            var text = NativeText.Read(data->pMessage);
+            if (!isError && text.Contains("Shader-OutputNotConsumed", StringComparison.Ordinal))
                 return 0;
             lock (m_Waiting)
             {
-                m_Waiting.Add(kind + NativeText.Read(data->pMessage));
+                m_Waiting.Add(kind + text);
                 Count++;
             }
             return 0;

@@ -31,6 +31,23 @@ namespace AnatomyCarve.Headless.Tests.CommandLine
         [TestCase("render", "a.nrrd", "--output", "a.png", "--camera", "0,91", TestName = "BadUsage_ElevationBeyondThePole_IsRefused")]
         [TestCase("render", "a.nrrd", "--output", "a.png", "--camera", "0,0,180", TestName = "BadUsage_FieldOfViewOf180_IsRefused")]
         [TestCase("render", "a.nrrd", "--output", "a.png", "--camera", "nan,0", TestName = "BadUsage_AngleThatIsNoNumber_IsRefused")]
+        [TestCase("render", "a.nrrd", "--output", "a.png", "--drawn", "b.jpg", TestName = "BadUsage_DrawnPictureThatIsNoPng_IsRefused")]
+        [TestCase("render", "a.nrrd", "--output", "a.png", "--drawn-depth", "b.png", TestName = "BadUsage_DrawnDepthThatIsNoPfm_IsRefused")]
+        [TestCase("render", "a.nrrd", "--output", "a.png", "--pipeline", "hdrp", TestName = "BadUsage_UnknownPipeline_IsRefused")]
+        [TestCase("render", "a.nrrd", "--output", "a.png", "--color-space", "sRGB", TestName = "BadUsage_UnknownColourSpace_IsRefused")]
+        [TestCase("render", "a.nrrd", "--output", "a.png", "--layout", "tiny", TestName = "BadUsage_UnknownLayout_IsRefused")]
+        [TestCase("render", "a.nrrd", "--output", "a.png", "--stereo", "anaglyph", TestName = "BadUsage_UnknownStereo_IsRefused")]
+        [TestCase("scene", TestName = "BadUsage_NoScene_IsRefused")]
+        [TestCase("scene", "a.unity", TestName = "BadUsage_SceneWithoutOutput_IsRefused")]
+        [TestCase("scene", "a.unity", "--output", "a.png", "--frames", "0", TestName = "BadUsage_NoFrames_AreRefused")]
+        [TestCase("bench", TestName = "BadUsage_BenchWithoutWhat_IsRefused")]
+        [TestCase("bench", "load", TestName = "BadUsage_BenchLoadWithoutVolume_IsRefused")]
+        [TestCase("bench", "load", "a.nrrd", "--phantom", "4x4x4", TestName = "BadUsage_BenchLoadOfTwoThings_IsRefused")]
+        [TestCase("bench", "load", "--phantom", "4x4x4", "--labels", "a.nrrd", TestName = "BadUsage_LabelsOfThePhantom_AreRefused")]
+        [TestCase("bench", "load", "--phantom", "4x4", TestName = "BadUsage_PhantomOfTwoSides_IsRefused")]
+        [TestCase("bench", "load", "--phantom", "2048x2048x2048", TestName = "BadUsage_PhantomBeyondMemory_IsRefused")]
+        [TestCase("bench", "load", "a.nrrd", "--runs", "0", TestName = "BadUsage_NoRuns_AreRefused")]
+        [TestCase("bench", "load", "a.nrrd", "--threads", "65", TestName = "BadUsage_TooManyThreads_AreRefused")]
         public void BadUsage(params string[] arguments)
         {
             var result = Carve.InProcess(arguments);

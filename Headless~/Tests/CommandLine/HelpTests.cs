@@ -10,7 +10,7 @@ namespace AnatomyCarve.Headless.Tests.CommandLine
             var result = Carve.InProcess("--help");
 
             Assert.That(result.ExitCode, Is.Zero);
-            foreach (var command in new[] { "render", "info", "compare", "expect" })
+            foreach (var command in new[] { "render", "scene", "info", "compare", "expect", "bench" })
                 Assert.That(result.Output, Does.Match($@"(?m)^\s+{command}\b"), command);
         }
 
@@ -23,7 +23,7 @@ namespace AnatomyCarve.Headless.Tests.CommandLine
             foreach (var option in new[]
             {
                 "--labels", "--tf", "--carving", "--camera", "--size", "--quality", "--cut", "--anti-aliasing", "--background", "--output",
-                "--depth", "--segments", "--report", "--no-progress",
+                "--depth", "--segments", "--report", "--no-progress", "--drawn", "--drawn-depth", "--pipeline", "--color-space", "--layout", "--stereo",
             })
                 Assert.That(result.Output, Does.Match($@"(?m)^\s+{option}\b.*\s\w+"), option);
             Assert.That(result.Output, Does.Contain("AZIMUTH,ELEVATION"));
@@ -33,6 +33,7 @@ namespace AnatomyCarve.Headless.Tests.CommandLine
         }
 
         [TestCase("info", "--json")]
+        [TestCase("scene", "--frames")]
         [TestCase("compare", "--json")]
         [TestCase("expect", "REPORT")]
         public void Help_OfCommand_DescribesItsArguments(string command, string argument)

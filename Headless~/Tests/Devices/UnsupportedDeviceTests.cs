@@ -14,26 +14,54 @@ namespace AnatomyCarve.Headless.Tests.Devices
     {
         readonly List<string> errors = [];
 
-        [TestCase(GraphicsFormat.R16_UNorm)]
-        [TestCase(GraphicsFormat.R8_UInt)]
+        /// <summary>Everything that the package makes a texture of, and what it used to.</summary>
+        static readonly GraphicsFormat[] Formats =
+        [
+            GraphicsFormat.R16_UInt, GraphicsFormat.R16_UNorm, GraphicsFormat.R8_UInt, GraphicsFormat.R8_UNorm, GraphicsFormat.R8G8_UNorm,
+            GraphicsFormat.R32_UInt, GraphicsFormat.R32_SFloat, GraphicsFormat.R32G32B32A32_SFloat, GraphicsFormat.R16G16B16A16_SFloat,
+            GraphicsFormat.R8G8B8A8_UNorm,
+        ];
+
+        [Test]
+        public void Render_WithoutAFormat_ShowsTheSameOrSaysWhichOnce([ValueSource(nameof(Formats))] GraphicsFormat denied)
+        {
+            PictureData expected = Render([], out _);
+            Assert.That(errors, Is.Empty);
+            PictureData picture = Render([denied], out TextureLayout layout);
+            if (picture == null)
+            {
+                Assert.That(errors, Has.Count.EqualTo(1));
+                Assert.That(errors[0], Does.Contain(denied.ToString()).And.Contain("cannot be"));
+                return;
+            }
+            Assert.That(errors, Is.Empty);
+            Assert.That(picture.Segments, Is.EqualTo(expected.Segments));
+            for (int p = 0; p < expected.Color.Length; p++)
+                Assert.That(((Vector4)picture.Color[p] - (Vector4)expected.Color[p]).magnitude, Is.LessThan(1 / 255f), "pixel " + p);
+            TestContext.Out.WriteLine($"{denied}: {layout}");
+        }
+
         [TestCase(GraphicsFormat.R8_UNorm)]
         [TestCase(GraphicsFormat.R8G8_UNorm)]
-        [TestCase(GraphicsFormat.R16G16B16A16_SFloat)]
-        public void Render_WithoutAFormat_SaysWhichOnce(GraphicsFormat denied)
+        public void Layout_OfADeviceThatCannotWriteBytes_IsPortable(GraphicsFormat denied)
         {
-            errors.Clear();
-            var options = new HostOptions { DeniedFormats = [denied], Log = Remember };
-            using (UnityHost host = UnityHost.Start(options))
-            {
-                SegmentedVolume volume = Block();
-                CarvedVolumeRenderer renderer = Show(volume);
-                Assert.That(renderer.Render(View(volume)), Is.Null);
-                host.Step();
-                Assert.That(renderer.Render(View(volume)), Is.Null);
-                UnityEngine.Object.DestroyImmediate(renderer.gameObject);
-            }
+            Assert.That(Render([denied], out TextureLayout layout), Is.Not.Null);
+            Assert.That(layout, Is.EqualTo(TextureLayout.Portable));
+        }
+
+        [Test]
+        public void Layout_OfADeviceThatCan_IsCompact()
+        {
+            Assert.That(Render([], out TextureLayout layout), Is.Not.Null);
+            Assert.That(layout, Is.EqualTo(TextureLayout.Compact));
+        }
+
+        [Test]
+        public void Layout_ThatIsAskedForAndCannotBe_IsRefusedClearly()
+        {
+            Assert.That(Render([GraphicsFormat.R8_UNorm], out _, TextureLayout.Compact), Is.Null);
             Assert.That(errors, Has.Count.EqualTo(1));
-            Assert.That(errors[0], Does.Contain(denied.ToString()).And.Contain("cannot be shown"));
+            Assert.That(errors[0], Does.Contain("R8_UNorm"));
         }
 
         [Test]
@@ -50,6 +78,25 @@ namespace AnatomyCarve.Headless.Tests.Devices
             host.Dispose();
             Assert.That(host.Report.LeakCount, Is.Zero, host.Report.ToString());
             Assert.That(errors, Is.Empty);
+        }
+
+        /// <summary>The picture of a device that lacks formats, asked for in two frames; null where it cannot be made.</summary>
+        PictureData Render(GraphicsFormat[] denied, out TextureLayout layout, TextureLayout wanted = TextureLayout.Automatic)
+        {
+            errors.Clear();
+            using UnityHost host = UnityHost.Start(new HostOptions { DeniedFormats = denied, Log = Remember });
+            SegmentedVolume volume = Block();
+            CarvedVolumeRenderer renderer = Show(volume);
+            renderer.Layout = wanted;
+            CarvedPicture first = renderer.Render(View(volume));
+            host.Step();
+            CarvedPicture second = renderer.Render(View(volume));
+            Assert.That(second == null, Is.EqualTo(first == null));
+            Assert.That(renderer.Problem == null, Is.EqualTo(first != null), renderer.Problem);
+            layout = renderer.Statistics.Layout;
+            PictureData picture = second?.Read();
+            UnityEngine.Object.DestroyImmediate(renderer.gameObject);
+            return picture;
         }
 
         static SegmentedVolume Block()

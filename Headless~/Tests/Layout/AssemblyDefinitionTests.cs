@@ -56,6 +56,10 @@ namespace AnatomyCarve.Headless.Tests.Layout
         public void Runtime_References_PointInwardsOnly() => Assert.That(List("AnatomyCarve", "references"), Is.EqualTo(new[] { "AnatomyCarve.Core" }));
 
         [Test]
+        public void Desktop_References_PointInwardsAndToInputAndInterface() =>
+            Assert.That(List("AnatomyCarve.Desktop", "references"), Is.EqualTo(new[] { "AnatomyCarve.Core", "AnatomyCarve", "Unity.InputSystem", "UnityEngine.UI" }));
+
+        [Test]
         public void Editor_Platforms_AreTheEditor() => Assert.That(List("AnatomyCarve.Editor", "includePlatforms"), Is.EqualTo(new[] { "Editor" }));
 
         [Test]

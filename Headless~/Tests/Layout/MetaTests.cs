@@ -4,6 +4,7 @@ using System.IO;
 using System.Linq;
 using System.Text.RegularExpressions;
 using NUnit.Framework;
+using UnityEngine;
 
 namespace AnatomyCarve.Headless.Tests.Layout
 {
@@ -54,7 +55,7 @@ namespace AnatomyCarve.Headless.Tests.Layout
             HashSet<string> known = tree.Metas.Select(tree.GuidOf).ToHashSet();
             IEnumerable<string> broken = tree.AllFiles.Where(f => f.EndsWith(".asset") || f.EndsWith(".unity") || f.EndsWith(".prefab") || f.EndsWith(".mat"))
                 .SelectMany(f => Reference().Matches(tree.Read(f)).Select(m => (f, guid: m.Groups[1].Value)))
-                .Where(r => !known.Contains(r.guid) && !r.guid.EndsWith("000000000000000"))
+                .Where(r => !known.Contains(r.guid) && !BuiltinResources.IsBuiltin(r.guid) && InstalledPackages.Find(r.guid) == null)
                 .Select(r => $"{r.f}: {r.guid}");
             Assert.That(broken, Is.Empty);
         }
@@ -74,6 +75,8 @@ namespace AnatomyCarve.Headless.Tests.Layout
         {
             if (Directory.Exists(tree.Full(asset)))
                 return "folderAsset: yes\nDefaultImporter";
+            if (asset.EndsWith(".nii.gz", StringComparison.OrdinalIgnoreCase))
+                return "ScriptedImporter";
             return Path.GetFileName(asset) == "package.json" ? "PackageManifestImporter" : Path.GetExtension(asset) switch
             {
                 ".cs" => "MonoImporter",
@@ -84,7 +87,7 @@ namespace AnatomyCarve.Headless.Tests.Layout
                 ".hlsl" => "ShaderIncludeImporter",
                 ".asset" or ".mat" => "NativeFormatImporter",
                 ".prefab" => "PrefabImporter",
-                ".inputactions" => "ScriptedImporter",
+                ".inputactions" or ".nrrd" or ".nii" => "ScriptedImporter",
                 ".png" => "TextureImporter",
                 _ => "DefaultImporter",
             };

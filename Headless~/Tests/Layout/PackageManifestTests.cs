@@ -37,10 +37,11 @@ namespace AnatomyCarve.Headless.Tests.Layout
         public void Manifest_Dependencies_AreExactVersions() =>
             Assert.That(((JObject)Manifest["dependencies"]).Properties().Select(p => (string)p.Value), Has.All.Match(@"^\d+\.\d+\.\d+$"));
 
-        [Test]
-        public void Manifest_ImageConversion_IsDeclaredWhereItIsCalled() => Assert.That(
-            ((JObject)Manifest["dependencies"]).ContainsKey("com.unity.modules.imageconversion"),
-            Is.EqualTo(Tree.Files.Where(f => f.StartsWith("Runtime/") && f.EndsWith(".cs")).Any(f => Tree.Read(f).Contains("ImageConversion."))));
+        [TestCase("com.unity.modules.imageconversion", "ImageConversion.")]
+        [TestCase("com.unity.modules.unitywebrequest", "UnityWebRequest.")]
+        public void Manifest_Module_IsDeclaredWhereItIsCalled(string module, string call) => Assert.That(
+            ((JObject)Manifest["dependencies"]).ContainsKey(module),
+            Is.EqualTo(Tree.Files.Where(f => f.StartsWith("Runtime/") && f.EndsWith(".cs")).Any(f => Tree.Read(f).Contains(call))));
 
         [TestCaseSource(nameof(Samples))]
         public void Sample_Folder_ExistsAndHasFiles(string path) => Assert.That(Tree.SampleFiles.Where(f => f.StartsWith(path + "/")), Is.Not.Empty);

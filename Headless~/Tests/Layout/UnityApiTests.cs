@@ -21,10 +21,12 @@ namespace AnatomyCarve.Headless.Tests.Layout
             "anatomycarve");
 
         [Test]
-        public void Engine_Members_AreThoseOfUnity() => Check("shim", ["UnityEngine.dll", "UnityEngine.TestRunner.dll"]);
+        public void Engine_Members_AreThoseOfUnity() => Check("shim",
+            ["UnityEngine.dll", "UnityEngine.TestRunner.dll", "UnityEditor.dll", "Unity.InputSystem.dll", "UnityEngine.UI.dll"]);
 
         [Test]
-        public void Package_References_AreInUnitysApi() => Check("client", ["AnatomyCarve.Core.dll", "AnatomyCarve.dll"]);
+        public void Package_References_AreInUnitysApi() => Check("client",
+            ["AnatomyCarve.Core.dll", "AnatomyCarve.dll", "AnatomyCarve.Editor.dll", "AnatomyCarve.Desktop.dll"]);
 
         [Test]
         public void Package_Sources_CompileAgainstUnity()
@@ -34,11 +36,14 @@ namespace AnatomyCarve.Headless.Tests.Layout
             Assert.That(result.ExitCode, Is.Zero, result.Output);
         }
 
+        /// <summary>A namespace that the lists leave out: of its members the engine has well-known ones only.</summary>
+        const string NotListed = @"UnityEngine\.Networking\.";
+
         static void Check(string mode, string[] assemblies)
         {
             string tool = Tool();
             IEnumerable<string> paths = assemblies.Select(a => Path.Combine(AppContext.BaseDirectory, a));
-            ProcessResult result = ProcessResult.Of("dotnet", [tool, mode, Needed("unity-api"), .. paths]);
+            ProcessResult result = ProcessResult.Of("dotnet", [tool, mode, Needed("unity-api"), .. paths, "--ignore", NotListed]);
             Assert.That(result.ExitCode, Is.Zero, result.Output);
         }
 

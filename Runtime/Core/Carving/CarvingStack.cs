@@ -31,6 +31,16 @@ namespace AnatomyCarve.Carving
             State = new CarvingSnapshot(Array.Empty<ClipSphere>(), null, SegmentMask.All(segmentCount));
         }
 
+        /// <summary>Makes a carving that begins with spheres, for instance saved ones; they cannot be undone.</summary>
+        /// <param name="segmentCount">The number of segments, label 0 included: 1 to <see cref="SegmentTable.MaximumCount"/>.</param>
+        /// <param name="fixedSpheres">The fixed spheres, oldest first.</param>
+        /// <param name="active">The active sphere; null = none, and the next active one will clip every segment.</param>
+        /// <exception cref="ArgumentOutOfRangeException">The number lies outside its range.</exception>
+        /// <exception cref="ArgumentNullException">The list or one of its spheres is null.</exception>
+        /// <exception cref="ArgumentException">A mask is for another number of segments.</exception>
+        public CarvingStack(int segmentCount, IEnumerable<ClipSphere> fixedSpheres, ClipSphere active)
+            : this(segmentCount) => State = Checked(fixedSpheres, active);
+
         /// <summary>Raised after every change, on the caller's thread.</summary>
         public event Action<CarvingChange> Changed;
 
@@ -162,15 +172,8 @@ namespace AnatomyCarve.Carving
         /// <param name="active">The active sphere; null = none, and the next active one will clip every segment.</param>
         /// <exception cref="ArgumentNullException">The list or one of its spheres is null.</exception>
         /// <exception cref="ArgumentException">A mask is for another number of segments; the carving is unchanged.</exception>
-        public void Replace(IEnumerable<ClipSphere> fixedSpheres, ClipSphere active = null)
-        {
-            ClipSphere[] spheres = new List<ClipSphere>(fixedSpheres ?? throw new ArgumentNullException(nameof(fixedSpheres))).ToArray();
-            foreach (ClipSphere sphere in spheres)
-                CheckMask((sphere ?? throw new ArgumentNullException(nameof(fixedSpheres))).Mask, nameof(fixedSpheres));
-            if (active is object)
-                CheckMask(active.Mask, nameof(active));
-            Do(CarvingChangeKind.Replaced, -1, new CarvingSnapshot(spheres, active, active?.Mask ?? SegmentMask.All(SegmentCount)));
-        }
+        public void Replace(IEnumerable<ClipSphere> fixedSpheres, ClipSphere active = null) =>
+            Do(CarvingChangeKind.Replaced, -1, Checked(fixedSpheres, active));
 
         /// <summary>Takes the last step back.</summary>
         /// <returns>False where there is none.</returns>
@@ -229,6 +232,16 @@ namespace AnatomyCarve.Carving
             State = after;
             Version++;
             Changed?.Invoke(new CarvingChange(kind, cause, sphereIndex, before, after, Version));
+        }
+
+        CarvingSnapshot Checked(IEnumerable<ClipSphere> fixedSpheres, ClipSphere active)
+        {
+            ClipSphere[] spheres = new List<ClipSphere>(fixedSpheres ?? throw new ArgumentNullException(nameof(fixedSpheres))).ToArray();
+            foreach (ClipSphere sphere in spheres)
+                CheckMask((sphere ?? throw new ArgumentNullException(nameof(fixedSpheres))).Mask, nameof(fixedSpheres));
+            if (active is object)
+                CheckMask(active.Mask, nameof(active));
+            return new CarvingSnapshot(spheres, active, active?.Mask ?? SegmentMask.All(SegmentCount));
         }
 
         void CheckMask(SegmentMask mask, string argument)

@@ -5,8 +5,8 @@ namespace AnatomyCarve.Carving
 {
     /// <summary>
     /// A transfer function as the kernels apply it to a volume's stored intensities: a table of <see cref="OpacityTransferFunction.LookupSize"/> opacities,
-    /// linear in between, at the place saturate(stored * <see cref="Scale"/> + <see cref="Offset"/>) * <see cref="LastEntry"/>, where stored is
-    /// code / 65535. All in float, each operation rounded by itself.
+    /// linear in between, at the place saturate(code * <see cref="Scale"/> + <see cref="Offset"/>) * <see cref="LastEntry"/>. All in float,
+    /// each operation rounded by itself.
     /// </summary>
     public sealed class OpacityLookup
     {
@@ -27,22 +27,21 @@ namespace AnatomyCarve.Carving
             double range = transferFunction.LookupMax - transferFunction.LookupMin;
             if (range > 0)
             {
-                Scale = (float)(volume.CodeScale * ushort.MaxValue / range);
+                Scale = (float)(volume.CodeScale / range);
                 Offset = (float)((volume.CodeOffset - transferFunction.LookupMin) / range);
             }
         }
 
-        /// <summary>The factor for a stored intensity of 0 to 1; 0 where the function is constant.</summary>
+        /// <summary>The factor for a code of 0 to 65,535; 0 where the function is constant.</summary>
         public float Scale { get; }
 
-        /// <summary>What is added to the scaled intensity; 0 where the function is constant.</summary>
+        /// <summary>What is added to the scaled code; 0 where the function is constant.</summary>
         public float Offset { get; }
 
         /// <summary>The opacity, 0 to 1, per reference length, of an intensity code.</summary>
         public float OpacityOf(ushort code)
         {
-            float stored = (float)(code / (float)ushort.MaxValue);
-            float share = (float)((float)(stored * Scale) + Offset);
+            float share = (float)((float)(code * Scale) + Offset);
             share = share > 0 ? Math.Min(share, 1f) : 0f;
             float place = (float)(share * LastEntry);
             int entry = Math.Min((int)place, LastEntry - 1);

@@ -48,6 +48,20 @@ namespace AnatomyCarve.Formats
             }
         }
 
+        /// <summary>Reads a file's content from memory. Nothing is copied, and nothing keeps the memory when the call ends.</summary>
+        /// <param name="content">All bytes of the file.</param>
+        /// <param name="name">What messages call it.</param>
+        /// <param name="cancellation">Cancels the work.</param>
+        /// <param name="progress">Told the share done, 0 to 1; may be null.</param>
+        /// <exception cref="VolumeFormatException">The data can't be read; says what stands where, and what was expected.</exception>
+        /// <exception cref="OperationCanceledException">The token was cancelled.</exception>
+        public static VolumeData Read(
+            ReadOnlyMemory<byte> content, string name, CancellationToken cancellation = default, IProgress<float> progress = null)
+        {
+            using (var stream = new MemoryContentStream(content))
+                return Read(stream, name, cancellation, progress);
+        }
+
         /// <summary>True when a file is there and starts as NIfTI or NRRD do; says nothing of the rest of it.</summary>
         public static bool CanRead(string path)
         {
@@ -55,6 +69,22 @@ namespace AnatomyCarve.Formats
             {
                 Content content = VolumeFile.Read(path, stream => Recognise(Start(stream, path)));
                 return content == Content.Nrrd || content == Content.Nifti;
+            }
+            catch (VolumeFormatException)
+            {
+                return false;
+            }
+        }
+
+        /// <summary>True when a file's content starts as NIfTI or NRRD do; says nothing of the rest of it.</summary>
+        public static bool CanRead(ReadOnlyMemory<byte> content)
+        {
+            try
+            {
+                Content found;
+                using (var stream = new MemoryContentStream(content))
+                    found = Recognise(Start(stream, "content"));
+                return found == Content.Nrrd || found == Content.Nifti;
             }
             catch (VolumeFormatException)
             {

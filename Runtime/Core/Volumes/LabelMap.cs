@@ -8,6 +8,8 @@ namespace AnatomyCarve.Volumes
     /// <summary>Which segment each voxel belongs to, as dense indices into a <see cref="SegmentTable"/>. Immutable.</summary>
     public sealed class LabelMap
     {
+        readonly Lazy<IReadOnlyList<long>> voxelCounts;
+
         /// <summary>Makes a label map from its indices. The array is kept, not copied.</summary>
         /// <param name="geometry">Where the voxels lie.</param>
         /// <param name="indices">One row of the table per voxel, i fastest.</param>
@@ -27,6 +29,17 @@ namespace AnatomyCarve.Volumes
             if (largest >= segments.Count)
                 throw new ArgumentException(FormattableString.Invariant($"A voxel has segment {largest}; the table has rows 0 to {segments.Count - 1}."), nameof(indices));
             Warnings = warnings == null ? Array.Empty<string>() : warnings.ToArray();
+            voxelCounts = new Lazy<IReadOnlyList<long>>(() => Array.AsReadOnly(Count()));
+        }
+
+        /// <summary>The same from indices that the table is known to have, and that were counted before.</summary>
+        internal LabelMap(VolumeGeometry geometry, ushort[] indices, SegmentTable segments, long[] voxelCounts, string[] warnings)
+        {
+            Geometry = geometry;
+            Indices = indices;
+            Segments = segments;
+            Warnings = warnings;
+            this.voxelCounts = new Lazy<IReadOnlyList<long>>(Array.AsReadOnly(voxelCounts));
         }
 
         /// <summary>Where the voxels lie.</summary>
@@ -77,9 +90,16 @@ namespace AnatomyCarve.Volumes
             return new LabelMap(grid, moved, Segments, warnings);
         }
 
+        /// <summary>
+        /// How many voxels each segment has, by row of <see cref="Segments"/>. Counted once, when it is first asked for, on whichever thread that is.
+        /// </summary>
+        public IReadOnlyList<long> VoxelCounts => voxelCounts.Value;
+
         /// <summary>How many voxels each segment has.</summary>
         /// <returns>A new array, one number per row of <see cref="Segments"/>.</returns>
-        public long[] CountVoxels()
+        public long[] CountVoxels() => VoxelCounts.ToArray();
+
+        long[] Count()
         {
             var counts = new long[Segments.Count];
             foreach (ushort index in Indices)

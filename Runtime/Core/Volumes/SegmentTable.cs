@@ -79,6 +79,18 @@ namespace AnatomyCarve.Volumes
         /// <exception cref="ArgumentException">No such row, or the name is null.</exception>
         public SegmentTable WithName(int index, string name) => With(index, Row(index).WithName(name));
 
+        /// <summary>A table in which several segments have other colours and opacities. Labels that the table does not have are passed over.</summary>
+        /// <param name="changes">Label, colour and opacity, 0 to 1; of several for one label the last counts.</param>
+        /// <exception cref="ArgumentException">An opacity is outside 0..1.</exception>
+        public SegmentTable With(IEnumerable<(long label, SegmentColor color, float opacity)> changes)
+        {
+            var changed = (Segment[])segments.Clone();
+            foreach ((long label, SegmentColor color, float opacity) in changes ?? throw new ArgumentNullException(nameof(changes)))
+                if (indexOfLabel.TryGetValue(label, out int index))
+                    changed[index] = changed[index].WithColor(color).WithOpacity(opacity);
+            return new SegmentTable(changed, indexOfLabel);
+        }
+
         /// <inheritdoc/>
         public IEnumerator<Segment> GetEnumerator() => ((IEnumerable<Segment>)segments).GetEnumerator();
 

@@ -11,6 +11,7 @@ namespace AnatomyCarve.Volumes
         public const double GeometryToleranceMm = 0.01;
 
         readonly Lazy<OpacityTransferFunction> automatic;
+        readonly Lazy<IntensityHistogram> histogram;
 
         /// <summary>Puts intensities and labels together.</summary>
         /// <param name="intensity">The scan.</param>
@@ -26,6 +27,16 @@ namespace AnatomyCarve.Volumes
                 throw new VolumeMismatchException("The scan and its segmentation lie on different grids. " + difference);
             Warnings = (warnings ?? intensity.Warnings.Concat(labels.Warnings)).ToArray();
             automatic = new Lazy<OpacityTransferFunction>(() => OpacityTransferFunction.Automatic(intensity));
+            histogram = new Lazy<IntensityHistogram>(() => IntensityHistogram.Of(intensity));
+        }
+
+        /// <summary>The same, with what was computed from the intensities before.</summary>
+        internal SegmentedVolume(
+            IntensityVolume intensity, LabelMap labels, IEnumerable<string> warnings, OpacityTransferFunction automatic, IntensityHistogram histogram)
+            : this(intensity, labels, warnings)
+        {
+            this.automatic = new Lazy<OpacityTransferFunction>(automatic);
+            this.histogram = new Lazy<IntensityHistogram>(histogram);
         }
 
         /// <summary>The scan.</summary>
@@ -48,6 +59,12 @@ namespace AnatomyCarve.Volumes
         /// thread that is; a loader asks for it before it publishes a volume.
         /// </summary>
         public OpacityTransferFunction AutomaticTransferFunction => automatic.Value;
+
+        /// <summary>
+        /// How often which intensities occur, in at most <see cref="IntensityHistogram.DefaultBins"/> bins. Computed once, when it is first asked for, on
+        /// whichever thread that is.
+        /// </summary>
+        public IntensityHistogram Histogram => histogram.Value;
 
         /// <summary>A scan without a segmentation: every voxel has label 0.</summary>
         /// <param name="intensity">The scan.</param>

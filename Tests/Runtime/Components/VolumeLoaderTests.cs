@@ -212,10 +212,11 @@ namespace AnatomyCarve.Tests.Components
         }
 
         [Test]
-        public void Load_WithoutAPath_IsRefused()
+        public void Load_OfNothing_IsRefused()
         {
-            Task<SegmentedVolume> load = loader.LoadAsync("");
-            Assert.That(load.Exception.InnerException, Is.InstanceOf<ArgumentException>());
+            Assert.That(() => loader.LoadAsync(""), Throws.ArgumentException);
+            Assert.That(() => loader.LoadAsync((VolumeAsset)null), Throws.ArgumentNullException);
+            Assert.That(() => loader.LoadAsync((byte[])null), Throws.ArgumentNullException);
         }
 
         [Test]

@@ -1,5 +1,4 @@
 using System.IO;
-using AnatomyCarve.Volumes;
 using NUnit.Framework;
 
 namespace AnatomyCarve.Tests.Components
@@ -25,10 +24,23 @@ namespace AnatomyCarve.Tests.Components
         [TestCase("")]
         public void Path_Missing_IsNoFile(string path) => Assert.That(VolumePaths.Resolve(path, Assets), Is.Null);
 
-        [TestCase("ct.nrrd")]
-        [TestCase("jar:file:///data/app/base.apk!/assets/ct.nrrd")]
-        public void Path_InsideAnAndroidPackage_IsRefusedAndSaysWhereToPutTheFile(string path) => Assert.That(
-            () => VolumePaths.Resolve(path, "jar:file:///data/app/base.apk!/assets"),
-            Throws.InstanceOf<AnatomyCarveException>().With.Message.Contain("ct.nrrd").And.Message.Contain("Application.persistentDataPath"));
+        [TestCase("ct.nrrd", "jar:file:///data/app/base.apk!/assets/ct.nrrd")]
+        [TestCase("head scans/ct 100%.nrrd", "jar:file:///data/app/base.apk!/assets/head%20scans/ct%20100%25.nrrd")]
+        [TestCase("jar:file:///data/app/base.apk!/assets/ct.nrrd", "jar:file:///data/app/base.apk!/assets/ct.nrrd")]
+        [TestCase("https://example.org/ct.nii.gz", "https://example.org/ct.nii.gz")]
+        public void Path_InsideAnAndroidPackageOrOnAServer_IsAnAddress(string path, string expected)
+        {
+            string resolved = VolumePaths.Resolve(path, "jar:file:///data/app/base.apk!/assets");
+            Assert.That(resolved, Is.EqualTo(expected));
+            Assert.That(VolumePaths.IsAddress(resolved), Is.True);
+            Assert.That(VolumePaths.IsAddress(Path.GetFullPath("ct.nrrd")), Is.False);
+        }
+
+        [TestCase("jar:file:///data/app/base.apk!/assets/head%20scans/ct%20100%25.nrrd", "ct 100%.nrrd")]
+        [TestCase("https://example.org/scans/ct.nii.gz?user=1#top", "ct.nii.gz")]
+        [TestCase("https://example.org/", "example.org")]
+        [TestCase("https://", "https:")]
+        public void FileName_OfAnAddress_IsItsLastPart(string address, string expected) =>
+            Assert.That(VolumePaths.FileNameOf(address), Is.EqualTo(expected));
     }
 }

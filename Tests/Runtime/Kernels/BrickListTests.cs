@@ -16,7 +16,7 @@ namespace AnatomyCarve.Tests.Kernels
             var random = new Random(1);
             CarveScene carve = CarveScene.Opaque(KernelGrid.Aligned(30, 17, 26), 5, random);
             carve.AddRandomSphere(random).Radius = 20;
-            Check(KernelRig.ClipVoxels(), carve.Grid, random, groupsPerRow, "_OpacityOut", GraphicsFormat.R8_UNorm, 1, carve.Bind, rig => rig.Set("_CarveCounts", 0, 1, 5, 0));
+            Check(KernelRig.ClipVoxels(), carve.Grid, random, groupsPerRow, "_OpacityOut", GraphicsFormat.R8_UNorm, 1, carve.Bind, rig => rig.SetCounts(0, 1, 5, false));
         }
 
         [Test]

@@ -31,8 +31,8 @@ namespace AnatomyCarve.Tests.Kernels
 
         public float[] Lookup { get; private set; }
 
-        /// <summary>Entry of the lookup = saturate(stored * scale + offset) * (size - 1).</summary>
-        public float LookupScale { get; set; } = 1;
+        /// <summary>Entry of the lookup = saturate(code * scale + offset) * (size - 1).</summary>
+        public float LookupScale { get; set; } = 1f / 65535f;
 
         public float LookupOffset { get; set; }
 
@@ -72,7 +72,7 @@ namespace AnatomyCarve.Tests.Kernels
                 double place = e * 8.0 / LookupSize;
                 Lookup[e] = (float)(points[(int)place] + (points[(int)place + 1] - points[(int)place]) * (place - (int)place));
             }
-            LookupScale = (float)(0.5 + 3 * random.NextDouble());
+            LookupScale = (float)((0.5 + 3 * random.NextDouble()) / 65535);
             LookupOffset = (float)(-random.NextDouble());
         }
 
@@ -124,9 +124,9 @@ namespace AnatomyCarve.Tests.Kernels
             for (int s = 0; s < SegmentCount; s++)
                 colors[s] = new Vector4(1, 1, 1, SegmentOpacities[s]);
             rig.Set(Grid);
-            rig.Set("_CarveCounts", Spheres.Count, words, SegmentCount, SmoothCut ? 1 : 0);
+            rig.SetCounts(Spheres.Count, words, SegmentCount, SmoothCut);
             rig.Set("_IntensityToLookup", new Vector4(LookupScale, LookupOffset, LookupSize - 1, 0));
-            rig.SetVolume("_Intensity", GraphicsFormat.R16_UNorm, Grid, Intensities);
+            rig.SetVolume("_Intensity", GraphicsFormat.R16_UInt, Grid, Intensities);
             if (SegmentCount <= 255)
                 rig.SetVolume("_Labels", GraphicsFormat.R8_UInt, Grid, Array.ConvertAll(Labels, label => (byte)label));
             else

@@ -16,30 +16,35 @@ namespace AnatomyCarve.Tests.Kernels
     {
         readonly ComputeShader shader;
         readonly int kernel;
-        readonly string keyword;
+        readonly string[] keywords;
         readonly List<UnityEngine.Object> objects = new List<UnityEngine.Object>();
         readonly Dictionary<string, GraphicsBuffer> buffers = new Dictionary<string, GraphicsBuffer>();
 
-        KernelRig(ComputeShader shader, string name, string keyword)
+        KernelRig(ComputeShader shader, string name, params string[] keywords)
         {
             Assert.That(shader == null, Is.False, "the compute shader is missing");
             this.shader = shader;
-            this.keyword = keyword;
+            this.keywords = keywords;
             kernel = shader.FindKernel(name);
         }
 
-        public static KernelRig ClipVoxels() => new KernelRig(AnatomyCarveShaders.Load().ClipVoxels, "ClipVoxels", null);
+        public static KernelRig ClipVoxels(bool portable = false) => new KernelRig(AnatomyCarveShaders.Load().ClipVoxels, "ClipVoxels", Layout(portable));
 
-        public static KernelRig AntiAlias() => new KernelRig(AnatomyCarveShaders.Load().AntiAlias, "AntiAlias", null);
+        public static KernelRig AntiAlias(bool portable = false) => new KernelRig(AnatomyCarveShaders.Load().AntiAlias, "AntiAlias", Layout(portable));
 
-        public static KernelRig SobelNormals() => new KernelRig(AnatomyCarveShaders.Load().SobelNormals, "SobelNormals", null);
+        public static KernelRig SobelNormals(bool portable = false) => new KernelRig(AnatomyCarveShaders.Load().SobelNormals, "SobelNormals", Layout(portable));
 
-        public static KernelRig Raymarch(bool countSamples = false) =>
-            new KernelRig(AnatomyCarveShaders.Load().Raymarch, "Raymarch", countSamples ? "COUNT_SAMPLES" : null);
+        public static KernelRig Raymarch(bool countSamples = false, bool portable = false) =>
+            new KernelRig(AnatomyCarveShaders.Load().Raymarch, "Raymarch", countSamples ? "COUNT_SAMPLES" : null, Layout(portable));
+
+        static string Layout(bool portable) => portable ? "PORTABLE_LAYOUT" : null;
 
         public void Set(string name, Vector4 value) => shader.SetVector(name, value);
 
-        public void Set(string name, int x, int y, int z, int w) => shader.SetInts(name, x, y, z, w);
+        public void SetCounts(int spheres, int wordsPerMask, int segments, bool smoothCut) =>
+            shader.SetVector("_CarveCounts", new Vector4(spheres, wordsPerMask, segments, smoothCut ? 1 : 0));
+
+        public void SetPictureSize(int width, int height, bool sceneDepth) => shader.SetInts("_PictureSize", width, height, sceneDepth ? 1 : 0, 0);
 
         /// <summary>Sets the grid's rows of the constant buffer CarvedVolume; no brick list.</summary>
         public void Set(KernelGrid grid)
@@ -61,6 +66,38 @@ namespace AnatomyCarve.Tests.Kernels
             texture.SetPixelData(voxels, 0);
             texture.Apply(false, false);
             shader.SetTexture(kernel, name, texture);
+        }
+
+        /// <summary>A volume packed along k: each texel holds the same bytes of several voxels, the first in its lowest bits.</summary>
+        public void SetPacked(string name, KernelGrid grid, byte[] bytes)
+        {
+            int bytesPerVoxel = bytes.Length / grid.VoxelCount, perTexel = 4 / bytesPerVoxel, depth = (grid.SizeK + perTexel - 1) / perTexel;
+            var texels = new uint[grid.SizeI * grid.SizeJ * depth];
+            grid.ForEach((i, j, k) =>
+            {
+                for (int b = 0; b < bytesPerVoxel; b++)
+                    texels[i + grid.SizeI * (j + grid.SizeJ * (k / perTexel))] |=
+                        (uint)bytes[bytesPerVoxel * grid.Index(i, j, k) + b] << 8 * (b + bytesPerVoxel * (k % perTexel));
+            });
+            var texture = new Texture3D(grid.SizeI, grid.SizeJ, depth, GraphicsFormat.R32_UInt, TextureCreationFlags.None) { name = name };
+            Keep(texture, FilterMode.Point);
+            texture.SetPixelData(texels, 0);
+            texture.Apply(false, false);
+            shader.SetTexture(kernel, name, texture);
+        }
+
+        /// <summary>The bytes of the voxels of a packed volume.</summary>
+        public static byte[] Unpack(uint[] texels, KernelGrid grid, int bytesPerVoxel)
+        {
+            int perTexel = 4 / bytesPerVoxel;
+            var bytes = new byte[bytesPerVoxel * grid.VoxelCount];
+            grid.ForEach((i, j, k) =>
+            {
+                uint texel = texels[i + grid.SizeI * (j + grid.SizeJ * (k / perTexel))];
+                for (int b = 0; b < bytesPerVoxel; b++)
+                    bytes[bytesPerVoxel * grid.Index(i, j, k) + b] = (byte)(texel >> 8 * (b + bytesPerVoxel * (k % perTexel)));
+            });
+            return bytes;
         }
 
         public void SetPicture<T>(string name, GraphicsFormat format, int width, int height, T[] pixels)
@@ -90,6 +127,15 @@ namespace AnatomyCarve.Tests.Kernels
             return Target(name, descriptor);
         }
 
+        public RenderTexture PackedTarget(string name, KernelGrid grid, int bytesPerVoxel)
+        {
+            int perTexel = 4 / bytesPerVoxel;
+            return Target(name, new RenderTextureDescriptor(grid.SizeI, grid.SizeJ, GraphicsFormat.R32_UInt, 0)
+            {
+                dimension = TextureDimension.Tex3D, volumeDepth = (grid.SizeK + perTexel - 1) / perTexel,
+            });
+        }
+
         public RenderTexture PictureTarget(string name, GraphicsFormat format, int width, int height) =>
             Target(name, new RenderTextureDescriptor(width, height, format, 0));
 
@@ -105,11 +151,13 @@ namespace AnatomyCarve.Tests.Kernels
 
         public void Dispatch(int groupsX, int groupsY)
         {
-            if (keyword != null)
-                shader.EnableKeyword(keyword);
+            foreach (string keyword in keywords)
+                if (keyword != null)
+                    shader.EnableKeyword(keyword);
             shader.Dispatch(kernel, groupsX, groupsY, 1);
-            if (keyword != null)
-                shader.DisableKeyword(keyword);
+            foreach (string keyword in keywords)
+                if (keyword != null)
+                    shader.DisableKeyword(keyword);
         }
 
         public static T[] Read<T>(RenderTexture target)
@@ -161,8 +209,8 @@ namespace AnatomyCarve.Tests.Kernels
 
         void SetBrickCounts(KernelGrid grid, int bricks, int groupsPerRow)
         {
-            shader.SetInts("_VolumeDims", grid.SizeI, grid.SizeJ, grid.SizeK, bricks);
-            shader.SetInts("_BrickGrid", grid.BricksI, grid.BricksJ, grid.BricksK, groupsPerRow);
+            shader.SetVector("_VolumeDims", new Vector4(grid.SizeI, grid.SizeJ, grid.SizeK, bricks));
+            shader.SetVector("_BrickGrid", new Vector4(grid.BricksI, grid.BricksJ, grid.BricksK, groupsPerRow));
         }
     }
 }

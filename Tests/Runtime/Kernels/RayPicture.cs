@@ -17,7 +17,7 @@ namespace AnatomyCarve.Tests.Kernels
 
         public static RayPicture Render(RayScene scene, GraphicsFormat opacityFormat = GraphicsFormat.R32_SFloat, bool countSamples = false)
         {
-            using (KernelRig rig = KernelRig.Raymarch(countSamples))
+            using (KernelRig rig = KernelRig.Raymarch(countSamples, opacityFormat == GraphicsFormat.R32_UInt))
             {
                 int groupsX = (scene.Width + 7) / 8, groupsY = (scene.Height + 7) / 8;
                 scene.Bind(rig, opacityFormat);

@@ -133,12 +133,16 @@ namespace AnatomyCarve.Tests.Kernels
                 Origin[axis] = -distanceMm * direction[axis] - 0.5 * Width * OriginDx[axis] - 0.5 * Height * OriginDy[axis];
         }
 
+        byte[] OpacityAACodes => Array.ConvertAll(OpacityAA, o => (byte)Math.Round(o * 255));
+
         /// <summary>Gives the kernel everything but its targets.</summary>
+        /// <param name="rig">The kernel; of the portable layout if the opacities are to be packed.</param>
+        /// <param name="opacityFormat">Of the opacities that rays sample; R32_UInt = packed.</param>
         public void Bind(KernelRig rig, GraphicsFormat opacityFormat = GraphicsFormat.R32_SFloat)
         {
             rig.Set(Grid);
-            rig.Set("_CarveCounts", 0, 0, Colors.Length, 0);
-            rig.Set("_PictureSize", Width, Height, SceneDepth == null ? 0 : 1, 0);
+            rig.SetCounts(0, 0, Colors.Length, false);
+            rig.SetPictureSize(Width, Height, SceneDepth != null);
             rig.Set("_RayOrigin", Row(Origin));
             rig.Set("_RayOriginDx", Row(OriginDx));
             rig.Set("_RayOriginDy", Row(OriginDy));
@@ -150,13 +154,22 @@ namespace AnatomyCarve.Tests.Kernels
             rig.Set("_LightDirection", Row(Light));
             rig.Set("_LightColor", Row(LightColor));
             rig.Set("_Shading", new Vector4((float)Ambient, (float)Diffuse, (float)Specular, (float)Shininess));
-            rig.SetVolume("_Opacity", GraphicsFormat.R8_UNorm, Grid, Opacity);
             rig.SetVolume("_Labels", GraphicsFormat.R16_UInt, Grid, Labels);
-            rig.SetVolume("_Normals", GraphicsFormat.R8G8_UNorm, Grid, Normals);
-            if (opacityFormat == GraphicsFormat.R8_UNorm)
-                rig.SetVolume("_OpacityAA", opacityFormat, Grid, Array.ConvertAll(OpacityAA, o => (byte)Math.Round(o * 255)), FilterMode.Bilinear);
+            if (opacityFormat == GraphicsFormat.R32_UInt)
+            {
+                rig.SetPacked("_Opacity", Grid, Opacity);
+                rig.SetPacked("_OpacityAA", Grid, OpacityAACodes);
+                rig.SetPacked("_Normals", Grid, Normals);
+            }
             else
-                rig.SetVolume("_OpacityAA", opacityFormat, Grid, OpacityAA, FilterMode.Bilinear);
+            {
+                rig.SetVolume("_Opacity", GraphicsFormat.R8_UNorm, Grid, Opacity);
+                rig.SetVolume("_Normals", GraphicsFormat.R8G8_UNorm, Grid, Normals);
+                if (opacityFormat == GraphicsFormat.R8_UNorm)
+                    rig.SetVolume("_OpacityAA", opacityFormat, Grid, OpacityAACodes, FilterMode.Bilinear);
+                else
+                    rig.SetVolume("_OpacityAA", opacityFormat, Grid, OpacityAA, FilterMode.Bilinear);
+            }
             var table = new Vector4[1024 * ((Colors.Length + 1023) / 1024)];
             Colors.CopyTo(table, 0);
             rig.SetPicture("_SegmentColors", GraphicsFormat.R32G32B32A32_SFloat, 1024, table.Length / 1024, table);

@@ -38,11 +38,12 @@ namespace AnatomyCarve.Tests.Kernels
             Assert.That((int)Marshal.OffsetOf(row, "MaskOffset"), Is.EqualTo(16), "mask.x");
         }
 
-        [TestCase("CarvedVolume")]
-        [TestCase("RaymarchView")]
-        public void ConstantBuffer_IsMadeOfRowsThatCSharpKnows(string name)
+        [TestCase("VolumeLayout.hlsl", "CarvedVolume")]
+        [TestCase("VolumeLayout.hlsl", "RaymarchSettings")]
+        [TestCase("Raymarch.compute", "RaymarchView")]
+        public void ConstantBuffer_IsMadeOfRowsThatCSharpKnows(string file, string name)
         {
-            List<string[]> members = Members(Read("VolumeLayout.hlsl"), "cbuffer", name);
+            List<string[]> members = Members(Read(file), "cbuffer", name);
             Assert.That(members, Is.Not.Empty);
             foreach (string[] member in members)
             {
@@ -50,6 +51,11 @@ namespace AnatomyCarve.Tests.Kernels
                 AssertIdExists(member[1]);
             }
         }
+
+        [TestCase("CarvedVolume")]
+        [TestCase("RaymarchSettings")]
+        public void ConstantBuffer_OfMaterials_HoldsNoIntegers(string name) =>
+            Assert.That(Members(Read("VolumeLayout.hlsl"), "cbuffer", name).ConvertAll(member => member[0]), Is.All.EqualTo("float4"));
 
         [Test]
         public void Resources_AreAllKnownToCSharp()
@@ -59,7 +65,7 @@ namespace AnatomyCarve.Tests.Kernels
             {
                 if (file.EndsWith(".meta", StringComparison.Ordinal))
                     continue;
-                foreach (Match match in Regex.Matches(File.ReadAllText(file), @"^(?:RW)?(?:Texture[23]D|StructuredBuffer)<[^>]+>\s+(\w+);", RegexOptions.Multiline))
+                foreach (Match match in Regex.Matches(File.ReadAllText(file), @"^(?:(?:RW)?(?:Texture[23]D|StructuredBuffer)<[^>]+>|#define \w+_TARGET)\s+(_\w+)", RegexOptions.Multiline))
                 {
                     AssertIdExists(match.Groups[1].Value);
                     found++;

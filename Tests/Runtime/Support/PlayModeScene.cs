@@ -33,6 +33,13 @@ namespace AnatomyCarve.Tests
             return o;
         }
 
+        /// <summary>Has an object destroyed when the test ends.</summary>
+        protected T Own<T>(T o) where T : Object
+        {
+            made.Add(o);
+            return o;
+        }
+
         /// <summary>A volume with all three components, shown with a transfer function that makes matter opaque.</summary>
         protected CarvedVolumeRenderer MakeVolume(SegmentedVolume volume)
         {

@@ -110,6 +110,13 @@ namespace UnityEngine.Rendering
                 LogRouter.Guard(command);
         }
 
+        /// <summary>What is recorded now.</summary>
+        internal Action[] Snapshot()
+        {
+            Check();
+            return m_Commands.ToArray();
+        }
+
         static Texture Existing(RenderTargetIdentifier id)
         {
             var texture = id.Resolve();

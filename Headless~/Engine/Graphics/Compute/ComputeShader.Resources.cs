@@ -31,12 +31,13 @@ namespace UnityEngine
         public void SetTexture(int kernelIndex, string name, RenderTexture texture, int mipLevel, RenderTextureSubElement element) =>
             SetTexture(kernelIndex, Shader.PropertyToID(name), texture, mipLevel, element);
 
-        /// <exception cref="NotSupportedException">This host has no depth and stencil parts.</exception>
+        /// <exception cref="NotSupportedException">Stencil values are not readable in this host.</exception>
         public void SetTexture(int kernelIndex, int nameID, RenderTexture texture, int mipLevel, RenderTextureSubElement element)
         {
-            if (element is RenderTextureSubElement.Depth or RenderTextureSubElement.Stencil)
-                throw new NotSupportedException("This host has no depth and stencil parts of render textures.");
+            if (element == RenderTextureSubElement.Stencil)
+                throw new NotSupportedException("This host cannot read the stencil part of render textures.");
             SetTexture(kernelIndex, nameID, texture, mipLevel);
+            m_Resources[kernelIndex].Textures[nameID] = new TextureValue(texture, mipLevel, element);
         }
 
         public void SetTextureFromGlobal(int kernelIndex, string name, string globalTextureName) =>

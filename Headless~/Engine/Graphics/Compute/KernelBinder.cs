@@ -12,7 +12,7 @@ namespace UnityEngine
         readonly ComputeShader m_Shader;
         readonly int m_Kernel;
         readonly KernelLayout m_Layout;
-        readonly Slot[] m_Slots;
+        readonly BindingSlot[] m_Slots;
 
         internal KernelBinder(GpuContext context, ComputeShader shader, int kernel, KernelLayout layout)
         {
@@ -20,7 +20,7 @@ namespace UnityEngine
             m_Shader = shader;
             m_Kernel = kernel;
             m_Layout = layout;
-            m_Slots = new Slot[layout.Bindings.Count];
+            m_Slots = new BindingSlot[layout.Bindings.Count];
         }
 
         /// <summary>Finds everything; logs the first error and answers false.</summary>
@@ -55,65 +55,40 @@ namespace UnityEngine
         /// <summary>Writes the set and announces all uses to the stream.</summary>
         internal void Write(ulong set)
         {
-            var count = m_Slots.Length;
-            var writes = stackalloc VkWriteDescriptorSet[count];
-            var images = stackalloc VkDescriptorImageInfo[count];
-            var buffers = stackalloc VkDescriptorBufferInfo[count];
-            for (var i = 0; i < count; i++)
-            {
-                var binding = m_Layout.Bindings[i];
-                writes[i] = new VkWriteDescriptorSet
-                {
-                    sType = Vk.VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
-                    dstSet = set,
-                    dstBinding = binding.Index,
-                    descriptorCount = 1,
-                    descriptorType = KernelProgram.DescriptorType(binding.Kind),
-                    pImageInfo = &images[i],
-                    pBufferInfo = &buffers[i],
-                };
-                Describe(binding, m_Slots[i], out images[i], out buffers[i]);
-            }
-            m_Context.Device.Api.vkUpdateDescriptorSets(m_Context.Device.Handle, (uint)count, writes, 0, null);
+            BindingSlot.Write(m_Context, set, m_Layout.Bindings, m_Slots);
+            for (var i = 0; i < m_Slots.Length; i++)
+                Announce(m_Layout.Bindings[i].Kind, m_Slots[i]);
         }
 
-        void Describe(KernelBinding binding, in Slot slot, out VkDescriptorImageInfo image, out VkDescriptorBufferInfo buffer)
+        void Announce(BindingKind kind, in BindingSlot slot)
         {
-            image = default;
-            buffer = default;
-            switch (binding.Kind)
+            switch (kind)
             {
                 case BindingKind.Texture:
                     m_Context.Stream.Read(slot.Texture.Image, Vk.VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
-                    image.imageView = slot.Texture.Image.SampledView;
-                    image.imageLayout = Vk.VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
                     break;
                 case BindingKind.RandomWriteTexture:
                     m_Context.Stream.Write(slot.Texture.Image, Vk.VK_IMAGE_LAYOUT_GENERAL);
-                    image.imageView = slot.Texture.Image.StorageView(slot.Mip);
-                    image.imageLayout = Vk.VK_IMAGE_LAYOUT_GENERAL;
                     break;
                 case BindingKind.Sampler:
-                    image.sampler = slot.Sampler;
+                    break;
+                case BindingKind.RandomWriteBuffer:
+                    m_Context.Stream.Write(slot.Buffer);
                     break;
                 default:
-                    if (binding.Kind == BindingKind.RandomWriteBuffer)
-                        m_Context.Stream.Write(slot.Buffer);
-                    else
-                        m_Context.Stream.Read(slot.Buffer);
-                    buffer = new VkDescriptorBufferInfo { buffer = slot.Buffer.Handle, offset = slot.Offset, range = slot.Range };
+                    m_Context.Stream.Read(slot.Buffer);
                     break;
             }
         }
 
-        string ResolveTexture(KernelBinding binding, ref Slot slot)
+        string ResolveTexture(KernelBinding binding, ref BindingSlot slot)
         {
             if (!m_Shader.Resources(m_Kernel).Textures.TryGetValue(binding.NameId, out var value)
                 && !ShaderGlobals.Resources.Textures.TryGetValue(binding.NameId, out value))
                 return NotSet(binding);
             if (value.Texture == null)
                 return NotSet(binding) + " (the texture was destroyed)";
-            var native = value.Texture.Native;
+            var native = value.Native;
             if (native == null)
                 return NotSet(binding) + $" (RenderTexture '{value.Texture.NameForMessages}' is not created)";
             if (value.Texture.dimension != binding.Dimension)
@@ -139,7 +114,7 @@ namespace UnityEngine
             return null;
         }
 
-        string ResolveBuffer(KernelBinding binding, ref Slot slot)
+        string ResolveBuffer(KernelBinding binding, ref BindingSlot slot)
         {
             if (!m_Shader.Resources(m_Kernel).Buffers.TryGetValue(binding.NameId, out var buffer)
                 && !ShaderGlobals.Resources.Buffers.TryGetValue(binding.NameId, out buffer))
@@ -162,7 +137,7 @@ namespace UnityEngine
             return null;
         }
 
-        string ResolveSampler(KernelBinding binding, ref Slot slot)
+        string ResolveSampler(KernelBinding binding, ref BindingSlot slot)
         {
             const string prefix = "sampler";
             if (!InlineSampler.TryParse(binding.Name, out var state))
@@ -174,13 +149,13 @@ namespace UnityEngine
                         + "inline sampler (a filter and a wrap mode)";
                 if (value.Texture == null)
                     return NotSet(binding) + " (the texture was destroyed)";
-                state = value.Texture.Sampler;
+                state = value.Sampler;
             }
             slot.Sampler = m_Context.Samplers.Get(state);
             return null;
         }
 
-        string ResolveConstants(KernelBinding binding, ref Slot slot)
+        string ResolveConstants(KernelBinding binding, ref BindingSlot slot)
         {
             if (m_Shader.Values.ConstantBuffers.TryGetValue(binding.NameId, out var bound)
                 || ShaderGlobals.Values.ConstantBuffers.TryGetValue(binding.NameId, out bound))
@@ -222,15 +197,5 @@ namespace UnityEngine
         }
 
         string NotSet(KernelBinding binding) => $"Property ({binding.Name}) at kernel index ({m_Kernel}) is not set";
-
-        struct Slot
-        {
-            internal GpuTexture Texture;
-            internal int Mip;
-            internal VulkanBuffer Buffer;
-            internal ulong Offset;
-            internal ulong Range;
-            internal ulong Sampler;
-        }
     }
 }

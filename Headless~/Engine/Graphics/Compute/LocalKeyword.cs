@@ -22,6 +22,20 @@ namespace UnityEngine.Rendering
                 Debug.LogErrorFormat("Local keyword {0} doesn't exist in the shader.", name);
         }
 
+        /// <summary>Logs an error and stays invalid if the shader has no such keyword.</summary>
+        /// <exception cref="ArgumentException">No shader, or no name.</exception>
+        public LocalKeyword(Shader shader, string name)
+        {
+            if (shader == null)
+                throw new ArgumentException("Cannot initialize a LocalKeyword with a null Shader.");
+            if (name == null)
+                throw new ArgumentException("Cannot initialize a LocalKeyword with a null name.");
+            m_Space = shader.keywordSpace;
+            m_Name = name;
+            if (!isValid)
+                Debug.LogErrorFormat("Local keyword {0} doesn't exist in the shader.", name);
+        }
+
         internal LocalKeyword(LocalKeywordSpace space, string name)
         {
             m_Space = space;

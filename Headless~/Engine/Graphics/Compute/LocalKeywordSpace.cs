@@ -7,9 +7,9 @@ namespace UnityEngine.Rendering
     /// <summary>The keywords that a shader declares.</summary>
     public readonly struct LocalKeywordSpace : IEquatable<LocalKeywordSpace>
     {
-        readonly ComputeProgram m_Program;
+        readonly KeywordOwner m_Program;
 
-        internal LocalKeywordSpace(ComputeProgram program) => m_Program = program;
+        internal LocalKeywordSpace(KeywordOwner program) => m_Program = program;
 
         public uint keywordCount => (uint)(m_Program?.Keywords.Count ?? 0);
 
@@ -22,7 +22,7 @@ namespace UnityEngine.Rendering
 
         internal bool Has(string name) => m_Program != null && m_Program.HasKeyword(name);
 
-        internal bool IsOverridable(string name) => m_Program.Source.KeywordSets.Any(s => !s.IsLocal && s.Keywords.Contains(name));
+        internal bool IsOverridable(string name) => m_Program.IsOverridable(name);
 
         public bool Equals(LocalKeywordSpace rhs) => ReferenceEquals(m_Program, rhs.m_Program);
 

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using UnityEngine.Rendering;
 using UnityEngine.Shaders;
 
 namespace UnityEngine
@@ -14,14 +15,30 @@ namespace UnityEngine
     /// <summary>A texture bound to a name.</summary>
     readonly struct TextureValue
     {
-        internal TextureValue(Texture texture, int mip)
+        internal TextureValue(Texture texture, int mip, RenderTextureSubElement element = RenderTextureSubElement.Default)
         {
             Texture = texture;
             Mip = mip;
+            Element = element;
         }
 
         internal readonly Texture Texture;
         internal readonly int Mip;
+        internal readonly RenderTextureSubElement Element;
+
+        /// <summary>The memory behind the part that is meant; null if there is none.</summary>
+        internal GpuTexture Native => Element == RenderTextureSubElement.Depth ? ((RenderTexture)Texture).DepthNative : Texture.Native;
+
+        /// <summary>How the texture is sampled: as it says, but without filtering where the device cannot filter its format.</summary>
+        internal Vulkan.SamplerState Sampler
+        {
+            get
+            {
+                var own = Texture.Sampler;
+                return own.Filter == FilterMode.Point || Native is not { } native || native.CanFilter ? own
+                    : new Vulkan.SamplerState(FilterMode.Point, own.U, own.V, own.W);
+            }
+        }
     }
 
     /// <summary>A range of a buffer bound as a constant buffer. Bytes.</summary>
@@ -47,6 +64,10 @@ namespace UnityEngine
         internal Dictionary<int, ConstantBufferValue> ConstantBuffers { get; } = new();
 
         internal IEnumerable<int> ConstantNames => m_Constants.Keys;
+
+        internal bool IsEmpty => m_Constants.Count == 0 && ConstantBuffers.Count == 0;
+
+        internal void Remove(int name) => m_Constants.Remove(name);
 
         internal bool TryGet(int name, out ConstantValue value) => m_Constants.TryGetValue(name, out value);
 

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.Text.RegularExpressions;
+using UnityEngine.Vulkan;
 
 namespace UnityEngine.Experimental.Rendering
 {
@@ -16,12 +17,14 @@ namespace UnityEngine.Experimental.Rendering
         SRGB,
     }
 
-    /// <summary>What is known of an uncompressed colour format whose channels all have the same size; read from the format's name.</summary>
+    /// <summary>
+    /// What is known of an uncompressed colour format whose channels all have the same size, or of a depth format (its depth); read from the format's name.
+    /// </summary>
     sealed class FormatInfo
     {
         static readonly Dictionary<GraphicsFormat, FormatInfo> s_Known = new();
 
-        FormatInfo(GraphicsFormat format, int channels, int bits, ChannelKind kind, bool blueFirst, uint vulkan)
+        FormatInfo(GraphicsFormat format, int channels, int bits, ChannelKind kind, bool blueFirst, uint vulkan, bool depth = false)
         {
             Format = format;
             Channels = channels;
@@ -29,6 +32,7 @@ namespace UnityEngine.Experimental.Rendering
             Kind = kind;
             IsBlueFirst = blueFirst;
             Vulkan = vulkan;
+            IsDepth = depth;
         }
 
         internal GraphicsFormat Format { get; }
@@ -45,7 +49,10 @@ namespace UnityEngine.Experimental.Rendering
         /// <summary>The VkFormat.</summary>
         internal uint Vulkan { get; }
 
-        internal int BytesPerTexel => Channels * Bits / 8;
+        internal bool IsDepth { get; }
+
+        /// <summary>24 bits of depth are copied as 32, the upper eight undefined.</summary>
+        internal int BytesPerTexel => Bits == 24 ? 4 : Channels * Bits / 8;
 
         internal bool IsInteger => Kind is ChannelKind.UInt or ChannelKind.SInt;
 
@@ -65,6 +72,8 @@ namespace UnityEngine.Experimental.Rendering
 
         static FormatInfo Parse(GraphicsFormat format)
         {
+            if (Depth(format) is { } depth)
+                return depth;
             var match = Regex.Match(format.ToString(), @"^(?<channels>[RGBA]\d+(?:[RGBA]\d+)*)_(?<kind>UNorm|SNorm|UInt|SInt|SFloat|SRGB)$");
             if (!match.Success || !Enum.TryParse(match.Groups["kind"].Value, out ChannelKind kind))
                 return null;
@@ -79,6 +88,21 @@ namespace UnityEngine.Experimental.Rendering
             }
             var vulkan = VulkanFormat(order, bits, kind);
             return vulkan == 0 ? null : new FormatInfo(format, channels.Count, bits, kind, order[0] == 'B', vulkan);
+        }
+
+        static FormatInfo Depth(GraphicsFormat format)
+        {
+            var (bits, vulkan) = format switch
+            {
+                GraphicsFormat.D16_UNorm => (16, Vk.VK_FORMAT_D16_UNORM),
+                GraphicsFormat.D16_UNorm_S8_UInt => (16, Vk.VK_FORMAT_D16_UNORM_S8_UINT),
+                GraphicsFormat.D24_UNorm => (24, Vk.VK_FORMAT_X8_D24_UNORM_PACK32),
+                GraphicsFormat.D24_UNorm_S8_UInt => (24, Vk.VK_FORMAT_D24_UNORM_S8_UINT),
+                GraphicsFormat.D32_SFloat => (32, Vk.VK_FORMAT_D32_SFLOAT),
+                GraphicsFormat.D32_SFloat_S8_UInt => (32, Vk.VK_FORMAT_D32_SFLOAT_S8_UINT),
+                _ => (0, 0u),
+            };
+            return bits == 0 ? null : new FormatInfo(format, 1, bits, bits == 32 ? ChannelKind.SFloat : ChannelKind.UNorm, false, vulkan, depth: true);
         }
 
         static uint VulkanFormat(string order, int bits, ChannelKind kind)

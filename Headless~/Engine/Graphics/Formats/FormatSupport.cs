@@ -18,8 +18,19 @@ namespace UnityEngine.Experimental.Rendering
             (GraphicsFormatUsage.ReadPixels, Vk.VK_FORMAT_FEATURE_TRANSFER_SRC_BIT),
         };
 
-        internal static bool Covers(uint features, FormatInfo info, GraphicsFormatUsage usage)
+        static readonly (GraphicsFormatUsage Usage, uint Samples)[] s_Multisampling =
         {
+            (GraphicsFormatUsage.MSAA2x, 2), (GraphicsFormatUsage.MSAA4x, 4), (GraphicsFormatUsage.MSAA8x, 8),
+        };
+
+        /// <param name="features">What Vulkan says of the format.</param>
+        /// <param name="info">The format.</param>
+        /// <param name="usage">What it is to be used for.</param>
+        /// <param name="sampleCounts">One bit per number of samples that a target of this kind can have.</param>
+        internal static bool Covers(uint features, FormatInfo info, GraphicsFormatUsage usage, uint sampleCounts)
+        {
+            if (info.IsDepth && (usage & (GraphicsFormatUsage.Blend | GraphicsFormatUsage.LoadStore)) != 0)
+                return false;
             if (info.Kind == ChannelKind.SRGB && (usage & GraphicsFormatUsage.LoadStore) != 0)
                 return false;
             var left = usage;
@@ -27,11 +38,20 @@ namespace UnityEngine.Experimental.Rendering
             {
                 if ((usage & known) == 0)
                     continue;
-                if ((features & needed) != needed)
+                var feature = info.IsDepth && known == GraphicsFormatUsage.Render ? Vk.VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT : needed;
+                if ((features & feature) != feature)
                     return false;
                 left &= ~known;
             }
-            // Multisampling, sparse and stencil use do not exist in this host.
+            foreach (var (known, samples) in s_Multisampling)
+            {
+                if ((usage & known) == 0)
+                    continue;
+                if ((sampleCounts & samples) == 0)
+                    return false;
+                left &= ~known;
+            }
+            // Sparse and stencil use do not exist in this host.
             return left == 0 && features != 0;
         }
 

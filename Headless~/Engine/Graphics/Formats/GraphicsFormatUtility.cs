@@ -2,9 +2,16 @@ using System;
 
 namespace UnityEngine.Experimental.Rendering
 {
-    /// <summary>Questions about formats. Works on any thread. Formats that the host does not know (compressed, packed, depth) answer 0 or false.</summary>
+    /// <summary>Questions about formats. Works on any thread, but for the depth formats of a device. Formats that the host does not know (compressed,
+    /// packed) answer 0 or false.</summary>
     public class GraphicsFormatUtility
     {
+        static readonly (int Bits, GraphicsFormat Plain, GraphicsFormat Stencil)[] s_DepthFormats =
+        {
+            (16, GraphicsFormat.D16_UNorm, GraphicsFormat.D16_UNorm_S8_UInt), (24, GraphicsFormat.D24_UNorm, GraphicsFormat.D24_UNorm_S8_UInt),
+            (32, GraphicsFormat.D32_SFloat, GraphicsFormat.D32_SFloat_S8_UInt),
+        };
+
         /// <summary>Bytes of one texel.</summary>
         public static uint GetBlockSize(GraphicsFormat format) => (uint)(FormatInfo.Of(format)?.BytesPerTexel ?? 0);
 
@@ -18,7 +25,35 @@ namespace UnityEngine.Experimental.Rendering
         public static GraphicsFormat GetGraphicsFormat(RenderTextureFormat format, bool isSRGB) => FormatTables.Of(format, isSRGB);
 
         public static GraphicsFormat GetGraphicsFormat(RenderTextureFormat format, RenderTextureReadWrite readWrite) =>
-            FormatTables.Of(format, readWrite is RenderTextureReadWrite.sRGB or RenderTextureReadWrite.Default);
+            FormatTables.Of(format, readWrite == RenderTextureReadWrite.sRGB || (readWrite == RenderTextureReadWrite.Default && ColorSpaces.IsLinear));
+
+        /// <summary>Bits of depth; 0 for a format without.</summary>
+        public static int GetDepthBits(GraphicsFormat format) => FormatInfo.Of(format) is { IsDepth: true } info ? info.Bits : 0;
+
+        /// <summary>The device's depth format of at least so many bits, with stencil above 16.</summary>
+        public static GraphicsFormat GetDepthStencilFormat(int depthBits) => GetDepthStencilFormat(depthBits, depthBits > 16 ? 8 : 0);
+
+        /// <summary>The device's smallest format of at least so many bits of depth and stencil; None if both are 0, or there is none.</summary>
+        public static GraphicsFormat GetDepthStencilFormat(int minimumDepthBits, int minimumStencilBits)
+        {
+            if (minimumDepthBits <= 0 && minimumStencilBits <= 0)
+                return GraphicsFormat.None;
+            foreach (var (bits, plain, stencil) in s_DepthFormats)
+            {
+                var format = minimumStencilBits > 0 ? stencil : plain;
+                if (bits >= minimumDepthBits && SystemInfo.IsFormatSupported(format, GraphicsFormatUsage.Render))
+                    return format;
+            }
+            return GraphicsFormat.None;
+        }
+
+        public static bool IsDepthFormat(GraphicsFormat format) => FormatInfo.Of(format) is { IsDepth: true };
+
+        public static bool IsStencilFormat(GraphicsFormat format) => format is GraphicsFormat.S8_UInt || IsDepthStencilFormat(format);
+
+        /// <summary>Whether it has both depth and stencil.</summary>
+        public static bool IsDepthStencilFormat(GraphicsFormat format) =>
+            format is GraphicsFormat.D16_UNorm_S8_UInt or GraphicsFormat.D24_UNorm_S8_UInt or GraphicsFormat.D32_SFloat_S8_UInt;
 
         public static TextureFormat GetTextureFormat(GraphicsFormat format) => FormatTables.ToTextureFormat(format);
 

@@ -35,6 +35,7 @@ namespace UnityEngine.Experimental.Rendering
             {
                 case (ChannelKind.UNorm or ChannelKind.SRGB, 8): return texel[c] / 255f;
                 case (ChannelKind.UNorm, 16): return ((ushort*)texel)[c] / 65535f;
+                case (ChannelKind.UNorm, 24): return (*(uint*)texel & 0xFFFFFF) / 16777215f;
                 case (ChannelKind.SNorm, 8): return Math.Max(((sbyte*)texel)[c] / 127f, -1f);
                 case (ChannelKind.SNorm, 16): return Math.Max(((short*)texel)[c] / 32767f, -1f);
                 case (ChannelKind.SFloat, 16): return Mathf.HalfToFloat(((ushort*)texel)[c]);
@@ -55,6 +56,7 @@ namespace UnityEngine.Experimental.Rendering
             {
                 case (ChannelKind.UNorm or ChannelKind.SRGB, 8): texel[c] = (byte)Round(value, 0, 1, 255); break;
                 case (ChannelKind.UNorm, 16): ((ushort*)texel)[c] = (ushort)Round(value, 0, 1, 65535); break;
+                case (ChannelKind.UNorm, 24): *(uint*)texel = (uint)Round(value, 0, 1, 16777215); break;
                 case (ChannelKind.SNorm, 8): ((sbyte*)texel)[c] = (sbyte)Round(value, -1, 1, 127); break;
                 case (ChannelKind.SNorm, 16): ((short*)texel)[c] = (short)Round(value, -1, 1, 32767); break;
                 case (ChannelKind.SFloat, 16): ((ushort*)texel)[c] = Mathf.FloatToHalf(value); break;

@@ -36,17 +36,26 @@ namespace UnityEngine
         readonly GpuContext m_Context;
         readonly string m_Kind;
 
-        internal GpuTexture(string kind, string name, in ImageShape shape, FormatInfo format, bool randomWrite)
+        /// <param name="kind">What the report of leaks calls it.</param>
+        /// <param name="name">Its name.</param>
+        /// <param name="shape">Its sizes.</param>
+        /// <param name="format">Its format; the colours of a project in gamma space are never converted, so sRGB is left out there.</param>
+        /// <param name="randomWrite">Whether kernels may write it.</param>
+        /// <param name="target">Whether it can be drawn into.</param>
+        /// <param name="samples">Per texel.</param>
+        internal GpuTexture(string kind, string name, in ImageShape shape, FormatInfo format, bool randomWrite, bool target = false, int samples = 1)
         {
             m_Context = Gpu.Context;
             m_Kind = kind;
             Name = name;
-            Format = format;
+            Format = ColorSpaces.IsLinear ? format : FormatInfo.Of(FormatTables.ToLinear(format.Format));
             IsRandomWrite = randomWrite;
             var usage = Vk.VK_IMAGE_USAGE_TRANSFER_SRC_BIT | Vk.VK_IMAGE_USAGE_TRANSFER_DST_BIT | Vk.VK_IMAGE_USAGE_SAMPLED_BIT;
             if (randomWrite)
                 usage |= Vk.VK_IMAGE_USAGE_STORAGE_BIT;
-            Image = new VulkanImage(m_Context.Device, shape, format.Vulkan, usage);
+            if (target)
+                usage |= format.IsDepth ? Vk.VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT : Vk.VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+            Image = new VulkanImage(m_Context.Device, shape, Format.Vulkan, usage, samples);
             Bytes = (long)Image.Size;
             m_Context.Add(this);
             m_Context.Device.SetName(Vk.VK_OBJECT_TYPE_IMAGE, Image.Handle, name);
@@ -59,6 +68,9 @@ namespace UnityEngine
         internal FormatInfo Format { get; }
 
         internal bool IsRandomWrite { get; }
+
+        internal bool CanFilter =>
+            (m_Context.Device.FormatFeatures(Format.Vulkan) & Vk.VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT) != 0;
 
         internal bool IsAlive => Image != null && !m_Context.IsDisposed;
 
@@ -93,6 +105,11 @@ namespace UnityEngine
         {
             if (!GpuOptions.FillNewMemory)
                 return;
+            if (Format.IsDepth)
+            {
+                FillDepth();
+                return;
+            }
             var value = default(VkClearColorValue);
             for (var c = 0; c < 4; c++)
             {
@@ -102,9 +119,18 @@ namespace UnityEngine
                     value.float32[c] = Format.Kind == ChannelKind.SFloat ? float.NaN : FillUNorm;
             }
             m_Context.Stream.Write(Image, Vk.VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
-            var range = VulkanImage.Whole;
+            var range = Image.Whole;
             var commands = m_Context.Stream.Command();
             m_Context.Device.Api.vkCmdClearColorImage(commands, Image.Handle, Vk.VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &value, 1, &range);
+        }
+
+        void FillDepth()
+        {
+            var value = new VkClearDepthStencilValue { depth = FillUNorm, stencil = 0xCD };
+            m_Context.Stream.Write(Image, Vk.VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+            var range = Image.Whole;
+            var commands = m_Context.Stream.Command();
+            m_Context.Device.Draw.vkCmdClearDepthStencilImage(commands, Image.Handle, Vk.VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &value, 1, &range);
         }
 
         /// <summary>Copies tightly packed texels into a part of a mip level, through staging memory in pieces.</summary>
@@ -177,7 +203,7 @@ namespace UnityEngine
                 bufferOffset = offset,
                 imageSubresource = new VkImageSubresourceLayers
                 {
-                    aspectMask = Vk.VK_IMAGE_ASPECT_COLOR_BIT,
+                    aspectMask = Image.ReadAspect,
                     mipLevel = (uint)mip,
                     baseArrayLayer = volume ? 0 : (uint)box.Z,
                     layerCount = volume ? 1 : (uint)box.Depth,

@@ -4,22 +4,18 @@ namespace UnityEngine
 {
     public partial class RenderTexture
     {
-        static RenderTexture s_Active;
-
-        /// <summary>The target of drawing and ReadPixels; null is the screen, which this host does not have.</summary>
+        /// <summary>The target of drawing and ReadPixels; null is the screen.</summary>
         public static RenderTexture active
         {
             get
             {
                 MainThread.Check("get_active");
-                return s_Active;
+                return DrawTargets.Color;
             }
             set
             {
                 MainThread.Check("set_active");
-                if (value != null)
-                    value.Create();
-                s_Active = value;
+                DrawTargets.Set(value, 0, 0);
             }
         }
 
@@ -39,7 +35,11 @@ namespace UnityEngine
             GetTemporary(width, height, depthBuffer, format, RenderTextureReadWrite.Default);
 
         public static RenderTexture GetTemporary(int width, int height, int depthBuffer, RenderTextureFormat format, RenderTextureReadWrite readWrite) =>
-            GetTemporary(width, height, depthBuffer, GraphicsFormatUtility.GetGraphicsFormat(format, readWrite));
+            GetTemporary(new RenderTextureDescriptor(width, height, format, depthBuffer, Texture.GenerateAllMips, readWrite));
+
+        public static RenderTexture GetTemporary(int width, int height, int depthBuffer, RenderTextureFormat format, RenderTextureReadWrite readWrite,
+            int antiAliasing) =>
+            GetTemporary(new RenderTextureDescriptor(width, height, format, depthBuffer, Texture.GenerateAllMips, readWrite) { msaaSamples = antiAliasing });
 
         public static RenderTexture GetTemporary(int width, int height, int depthBuffer, GraphicsFormat format) =>
             GetTemporary(new RenderTextureDescriptor(width, height, format, depthBuffer));

@@ -9,7 +9,6 @@ namespace UnityEngine
     public partial class RenderTexture : Texture
     {
         RenderTextureDescriptor m_Descriptor;
-        GpuTexture m_Native;
 
         protected internal RenderTexture()
         {
@@ -43,13 +42,15 @@ namespace UnityEngine
         }
 
         public RenderTexture(int width, int height, int depth, RenderTextureFormat format, RenderTextureReadWrite readWrite)
-            : this(width, height, depth, GraphicsFormatUtility.GetGraphicsFormat(format, readWrite))
         {
+            Initialize(new RenderTextureDescriptor(width, height, format, depth, GenerateAllMips, readWrite));
+            RefuseUnsupported();
         }
 
         public RenderTexture(int width, int height, int depth, RenderTextureFormat format, int mipCount)
-            : this(width, height, depth, GraphicsFormatUtility.GetGraphicsFormat(format, RenderTextureReadWrite.Default), mipCount)
         {
+            Initialize(new RenderTextureDescriptor(width, height, format, depth, mipCount, RenderTextureReadWrite.Default));
+            RefuseUnsupported();
         }
 
         public RenderTexture(int width, int height, int depth, DefaultFormat format)
@@ -65,7 +66,23 @@ namespace UnityEngine
         public RenderTexture(int width, int height, int depth, GraphicsFormat format, int mipCount)
         {
             Initialize(new RenderTextureDescriptor(width, height, format, depth, mipCount));
-            RefuseUnsupported(format, GraphicsFormatUsage.Render);
+            RefuseUnsupported();
+        }
+
+        public RenderTexture(int width, int height, GraphicsFormat colorFormat, GraphicsFormat depthStencilFormat)
+            : this(width, height, colorFormat, depthStencilFormat, GenerateAllMips)
+        {
+        }
+
+        /// <param name="width">Texels.</param>
+        /// <param name="height">Texels.</param>
+        /// <param name="colorFormat">None for a texture of depth alone.</param>
+        /// <param name="depthStencilFormat">None for a texture without depth.</param>
+        /// <param name="mipCount">Levels; negative for all that fit.</param>
+        public RenderTexture(int width, int height, GraphicsFormat colorFormat, GraphicsFormat depthStencilFormat, int mipCount)
+        {
+            Initialize(new RenderTextureDescriptor(width, height, colorFormat, depthStencilFormat, mipCount));
+            RefuseUnsupported();
         }
 
         public override int width
@@ -105,11 +122,17 @@ namespace UnityEngine
             set { CheckNotCreated("volumeDepth"); m_Descriptor.volumeDepth = value; }
         }
 
-        /// <summary>Bits of the depth buffer; this host keeps the number only.</summary>
+        /// <summary>Bits of the depth buffer.</summary>
         public int depth
         {
             get => m_Descriptor.depthBufferBits;
             set { CheckNotCreated("depth"); m_Descriptor.depthBufferBits = value; }
+        }
+
+        public GraphicsFormat depthStencilFormat
+        {
+            get => m_Descriptor.depthStencilFormat;
+            set { CheckNotCreated("depthStencilFormat"); m_Descriptor.depthStencilFormat = value; }
         }
 
         /// <summary>Whether kernels may write it.</summary>
@@ -157,8 +180,6 @@ namespace UnityEngine
             }
         }
 
-        internal override GpuTexture Native => m_Native is { IsAlive: true } ? m_Native : null;
-
         internal override int MipCount =>
             m_Descriptor.useMipMap ? TextureShapes.Mips(width, height, IsVolume ? volumeDepth : 1, m_Descriptor.mipCount, true) : 1;
 
@@ -176,10 +197,7 @@ namespace UnityEngine
                 Debug.LogError("RenderTexture.Create failed: " + problem);
                 return false;
             }
-            var array = dimension == TextureDimension.Tex2DArray;
-            var shape = new ImageShape(width, height, IsVolume ? volumeDepth : 1, array ? volumeDepth : 1, MipCount, IsVolume, array);
-            m_Native = new GpuTexture("RenderTexture", NameForMessages, shape, FormatInfo.Of(graphicsFormat), enableRandomWrite);
-            m_Native.FillUndefined();
+            CreateBuffers();
             return true;
         }
 
@@ -194,24 +212,6 @@ namespace UnityEngine
         {
             Use("Release");
             ReleaseNative();
-        }
-
-        /// <summary>Declares the contents undefined.</summary>
-        public void DiscardContents() => DiscardContents(true, true);
-
-        public void DiscardContents(bool discardColor, bool discardDepth)
-        {
-            Use("DiscardContents");
-            if (discardColor)
-                Native?.FillUndefined();
-        }
-
-        private protected override void ReleaseNative()
-        {
-            m_Native?.Release();
-            m_Native = null;
-            if (ReferenceEquals(s_Active, this))
-                s_Active = null;
         }
 
         // A constructor that throws must not leave a living object behind.
@@ -230,12 +230,15 @@ namespace UnityEngine
 
         static void Validate(in RenderTextureDescriptor desc)
         {
-            if (desc.graphicsFormat == GraphicsFormat.None)
+            if (desc.graphicsFormat == GraphicsFormat.None && desc.depthStencilFormat == GraphicsFormat.None)
                 throw new ArgumentException("RenderTextureDesc graphicsFormat must be a supported GraphicsFormat. None is not supported.",
                     "desc.graphicsFormat");
-            if (!SystemInfo.IsFormatSupported(desc.graphicsFormat, GraphicsFormatUsage.Render))
+            if (desc.graphicsFormat != GraphicsFormat.None && !SystemInfo.IsFormatSupported(desc.graphicsFormat, GraphicsFormatUsage.Render))
                 throw new ArgumentException($"RenderTextureDesc graphicsFormat must be a supported GraphicsFormat. {desc.graphicsFormat} is not supported "
                     + "on this platform.", "desc.graphicsFormat");
+            if (desc.depthStencilFormat != GraphicsFormat.None && !SystemInfo.IsFormatSupported(desc.depthStencilFormat, GraphicsFormatUsage.Render))
+                throw new ArgumentException($"RenderTextureDesc depthStencilFormat must be a supported GraphicsFormat. {desc.depthStencilFormat} is not "
+                    + "supported on this platform.", "desc.depthStencilFormat");
             if (desc.width <= 0)
                 throw new ArgumentException("RenderTextureDesc width must be greater than zero.", "desc.width");
             if (desc.height <= 0)
@@ -253,17 +256,27 @@ namespace UnityEngine
             var max = d.dimension == TextureDimension.Tex3D ? SystemInfo.maxTexture3DSize : SystemInfo.maxTextureSize;
             if (d.width <= 0 || d.height <= 0 || d.volumeDepth <= 0 || d.width > max || d.height > max || d.volumeDepth > max)
                 return $"{d.width} x {d.height} x {d.volumeDepth} is outside 1 to {max} per axis.";
-            if (!SystemInfo.IsFormatSupported(d.graphicsFormat, GraphicsFormatUsage.Render))
+            if (d.graphicsFormat == GraphicsFormat.None && d.depthStencilFormat == GraphicsFormat.None)
+                return "there is neither a colour nor a depth format.";
+            if (d.graphicsFormat != GraphicsFormat.None && !SystemInfo.IsFormatSupported(d.graphicsFormat, GraphicsFormatUsage.Render))
                 return $"format {d.graphicsFormat} is not supported.";
             if (d.enableRandomWrite && !SystemInfo.IsFormatSupported(d.graphicsFormat, GraphicsFormatUsage.LoadStore))
                 return $"format {d.graphicsFormat} does not support random writes.";
-            return d.enableRandomWrite && d.msaaSamples > 1 ? "a multisampled texture cannot be random-write." : null;
+            if (d.depthStencilFormat != GraphicsFormat.None && d.dimension == TextureDimension.Tex3D)
+                return "a volume has no depth buffer in this host.";
+            return d.enableRandomWrite && d.msaaSamples > 1 ? "a multisampled texture cannot be random-write." : ProblemOfSamples(d);
         }
 
         void Initialize(in RenderTextureDescriptor desc)
         {
             m_Descriptor = desc;
             UpdateShape();
+        }
+
+        void RefuseUnsupported()
+        {
+            var (color, depth) = (m_Descriptor.graphicsFormat, m_Descriptor.depthStencilFormat);
+            RefuseUnsupported(color != GraphicsFormat.None || depth == GraphicsFormat.None ? color : depth, GraphicsFormatUsage.Render);
         }
 
         void UpdateShape() => SetShape(m_Descriptor.width, m_Descriptor.height, m_Descriptor.dimension, m_Descriptor.graphicsFormat, TextureWrapMode.Clamp);

@@ -7,7 +7,6 @@ namespace UnityEngine
     public struct RenderTextureDescriptor
     {
         RenderTextureCreationFlags m_Flags;
-        int m_DepthBits;
 
         public RenderTextureDescriptor(int width, int height) : this(width, height, RenderTextureFormat.Default, 0)
         {
@@ -23,13 +22,13 @@ namespace UnityEngine
         }
 
         public RenderTextureDescriptor(int width, int height, RenderTextureFormat colorFormat, int depthBufferBits, int mipCount)
-            : this(width, height, FormatTables.Of(colorFormat, false), depthBufferBits, mipCount)
+            : this(width, height, colorFormat, depthBufferBits, mipCount, RenderTextureReadWrite.Linear)
         {
         }
 
         public RenderTextureDescriptor(int width, int height, RenderTextureFormat colorFormat, int depthBufferBits, int mipCount,
             RenderTextureReadWrite readWrite)
-            : this(width, height, GraphicsFormatUtility.GetGraphicsFormat(colorFormat, readWrite), depthBufferBits, mipCount)
+            : this(width, height, GraphicsFormatUtility.GetGraphicsFormat(colorFormat, readWrite), DepthFormat(colorFormat, depthBufferBits), mipCount)
         {
         }
 
@@ -39,6 +38,21 @@ namespace UnityEngine
         }
 
         public RenderTextureDescriptor(int width, int height, GraphicsFormat colorFormat, int depthBufferBits, int mipCount)
+            : this(width, height, colorFormat, DepthFormat(colorFormat, depthBufferBits), mipCount)
+        {
+        }
+
+        public RenderTextureDescriptor(int width, int height, GraphicsFormat colorFormat, GraphicsFormat depthStencilFormat)
+            : this(width, height, colorFormat, depthStencilFormat, Texture.GenerateAllMips)
+        {
+        }
+
+        /// <param name="width">Texels.</param>
+        /// <param name="height">Texels.</param>
+        /// <param name="colorFormat">None for a texture of depth alone.</param>
+        /// <param name="depthStencilFormat">None for a texture without depth.</param>
+        /// <param name="mipCount">Levels; negative for all that fit.</param>
+        public RenderTextureDescriptor(int width, int height, GraphicsFormat colorFormat, GraphicsFormat depthStencilFormat, int mipCount)
             : this()
         {
             m_Flags = RenderTextureCreationFlags.AutoGenerateMips | RenderTextureCreationFlags.AllowVerticalFlip;
@@ -48,7 +62,7 @@ namespace UnityEngine
             msaaSamples = 1;
             dimension = TextureDimension.Tex2D;
             graphicsFormat = colorFormat;
-            this.depthBufferBits = depthBufferBits;
+            this.depthStencilFormat = depthStencilFormat;
             this.mipCount = mipCount;
         }
 
@@ -65,10 +79,19 @@ namespace UnityEngine
 
         public GraphicsFormat graphicsFormat { get; set; }
 
+        /// <summary>The depth buffer's format, or None.</summary>
+        public GraphicsFormat depthStencilFormat { get; set; }
+
         public RenderTextureFormat colorFormat
         {
-            get => FormatTables.ToRenderTextureFormat(graphicsFormat);
-            set => graphicsFormat = FormatTables.Of(value, sRGB);
+            get => graphicsFormat == GraphicsFormat.None && depthStencilFormat != GraphicsFormat.None ? RenderTextureFormat.Depth
+                : FormatTables.ToRenderTextureFormat(graphicsFormat);
+            set
+            {
+                graphicsFormat = FormatTables.Of(value, sRGB);
+                if (value == RenderTextureFormat.Depth && depthStencilFormat == GraphicsFormat.None)
+                    depthStencilFormat = DepthFormat(value, 0);
+            }
         }
 
         public bool sRGB
@@ -77,10 +100,11 @@ namespace UnityEngine
             set => graphicsFormat = value ? FormatTables.ToSRGB(graphicsFormat) : FormatTables.ToLinear(graphicsFormat);
         }
 
+        /// <summary>Bits of the depth buffer: the format follows, with stencil above 16 beside a colour format.</summary>
         public int depthBufferBits
         {
-            readonly get => m_DepthBits;
-            set => m_DepthBits = value;
+            readonly get => GraphicsFormatUtility.GetDepthBits(depthStencilFormat);
+            set => depthStencilFormat = DepthFormat(graphicsFormat, value);
         }
 
         /// <summary>Levels; negative for all that fit. Counts only with <see cref="useMipMap"/>.</summary>
@@ -110,6 +134,15 @@ namespace UnityEngine
             get => Has(RenderTextureCreationFlags.EnableRandomWrite);
             set => Set(RenderTextureCreationFlags.EnableRandomWrite, value);
         }
+
+        static GraphicsFormat DepthFormat(GraphicsFormat colorFormat, int bits) =>
+            bits <= 0 ? GraphicsFormat.None
+                : colorFormat == GraphicsFormat.None ? GraphicsFormatUtility.GetDepthStencilFormat(bits, 0) : GraphicsFormatUtility.GetDepthStencilFormat(bits);
+
+        // A texture of depth alone has a depth buffer, whatever was asked for.
+        static GraphicsFormat DepthFormat(RenderTextureFormat colorFormat, int bits) =>
+            colorFormat == RenderTextureFormat.Depth ? GraphicsFormatUtility.GetDepthStencilFormat(bits > 0 ? bits : 32, 0)
+                : DepthFormat(FormatTables.Of(colorFormat, false), bits);
 
         readonly bool Has(RenderTextureCreationFlags flag) => (m_Flags & flag) != 0;
 

@@ -46,8 +46,8 @@ namespace UnityEngine
 
         public void SetPixels32(Color32[] colors, int miplevel) => SetPixels(Array.ConvertAll(colors, c => (Color)c), miplevel);
 
-        /// <summary>Reads a part of the active render texture; waits for the GPU. Stored values are converted between formats, not between colour
-        /// spaces.</summary>
+        /// <summary>Reads a part of the active render texture, or of the screen; waits for the GPU. Stored values are converted between formats, not between
+        /// colour spaces.</summary>
         /// <exception cref="UnityException">Not readable.</exception>
         public void ReadPixels(Rect source, int destX, int destY) => ReadPixels(source, destX, destY, true);
 
@@ -56,20 +56,27 @@ namespace UnityEngine
             if (!isReadable)
                 throw NotReadable();
             var active = RenderTexture.active;
-            if (active == null || active.Native == null)
+            var native = active == null ? ScreenBuffer.Texture.ColorNative : active.ColorNative;
+            if (native == null)
             {
-                Debug.LogError("ReadPixels was called while there is no active render texture.");
+                Debug.LogError("ReadPixels was called while the active render texture has no colours.");
                 return;
             }
+            var (fullWidth, fullHeight) = (DrawTargets.Width, DrawTargets.Height);
             var box = new TexelBox((int)source.x, (int)source.y, 0, (int)source.width, (int)source.height, 1);
-            if (box.X < 0 || box.Y < 0 || box.X + box.Width > active.width || box.Y + box.Height > active.height
+            if (box.X < 0 || box.Y < 0 || box.X + box.Width > fullWidth || box.Y + box.Height > fullHeight
                 || destX < 0 || destY < 0 || destX + box.Width > width || destY + box.Height > height)
             {
                 Debug.LogError("Reading pixels out of bounds");
                 return;
             }
-            var format = active.Native.Format;
-            var data = Gpu.Context.Readbacks.ReadNow(active.Native, 0, box);
+            var format = native.Format;
+            // The screen's first row is its top one.
+            var y0 = active == null ? fullHeight - box.Y - box.Height : box.Y;
+            var slice = Math.Max(0, DrawTargets.Slice);
+            var data = Gpu.Context.Readbacks.ReadNow(native, DrawTargets.Mip, new TexelBox(box.X, y0, slice, box.Width, box.Height, 1));
+            if (active == null)
+                ScreenBuffer.Flip(data, box.Width * format.BytesPerTexel);
             fixed (byte* texels = data)
             {
                 for (var y = 0; y < box.Height; y++)

@@ -25,7 +25,7 @@ namespace AnatomyCarve.Tests.Kernels
         public static double Opacity(CarveScene scene, int i, int j, int k)
         {
             int voxel = scene.Grid.Index(i, j, k);
-            double place = Math.Min(1, Math.Max(0, scene.Intensities[voxel] / 65535.0 * scene.LookupScale + scene.LookupOffset)) * (CarveScene.LookupSize - 1);
+            double place = Math.Min(1, Math.Max(0, scene.Intensities[voxel] * (double)scene.LookupScale + scene.LookupOffset)) * (CarveScene.LookupSize - 1);
             int entry = Math.Min((int)place, CarveScene.LookupSize - 2);
             double transfer = scene.Lookup[entry] + ((double)scene.Lookup[entry + 1] - scene.Lookup[entry]) * (place - entry);
             double coverage = scene.SmoothCut ? SmoothCoverage(scene, i, j, k) : IsClipped(scene, i, j, k) ? 1 : 0;

@@ -1,0 +1,49 @@
+using AnatomyCarve.Carving;
+using AnatomyCarve.Volumes;
+using UnityEngine;
+
+namespace AnatomyCarve
+{
+    /// <summary>The carving that a volume starts with: a text that was edited in the Editor, or else a carving file, or else nothing.</summary>
+    sealed class StartCarving
+    {
+        string usedText = "";
+        TextAsset usedFile;
+
+        /// <summary>Whether a volume would start with something else than it did the last time.</summary>
+        public bool Differs(string text, TextAsset file) => text != usedText || file != usedFile;
+
+        /// <summary>Takes note that the present carving is what a volume would start with.</summary>
+        public void SetUsed(string text, TextAsset file)
+        {
+            usedText = text;
+            usedFile = file;
+        }
+
+        /// <summary>The carving of a volume; null where there is no volume. What is odd in it is logged; what cannot be read counts as nothing.</summary>
+        /// <param name="document">What it was read from; null = nothing.</param>
+        public CarvingStack Of(SegmentedVolume volume, string text, TextAsset file, Object owner, out CarvingDocument document)
+        {
+            SetUsed(text, file);
+            document = null;
+            if (volume == null)
+                return null;
+            bool edited = !string.IsNullOrEmpty(text);
+            if (!edited && file == null)
+                return new CarvingStack(volume.Segments.Count);
+            try
+            {
+                document = CarvingFile.Parse(edited ? text : file.text, edited ? $"{owner.name}'s start carving" : file.name);
+            }
+            catch (CarvingFileException e)
+            {
+                Debug.LogError($"{owner.name} starts without a carving. {e.Message}", owner);
+                return new CarvingStack(volume.Segments.Count);
+            }
+            CarvingBinding binding = CarvingBinding.Bind(document, volume.Segments);
+            foreach (string warning in binding.Warnings)
+                Debug.LogWarning(warning, owner);
+            return new CarvingStack(volume.Segments.Count, binding.Fixed, binding.Active);
+        }
+    }
+}

@@ -1,0 +1,36 @@
+using System;
+
+namespace AnatomyCarve
+{
+    /// <summary>What a loader is to load by itself.</summary>
+    readonly struct StartSource : IEquatable<StartSource>
+    {
+        public StartSource(VolumeAsset asset, string intensityPath, string labelsPath, bool wanted)
+        {
+            IsSet = true;
+            Asset = wanted ? asset : null;
+            IntensityPath = wanted ? intensityPath : "";
+            LabelsPath = wanted ? labelsPath : "";
+        }
+
+        /// <summary>False for the default: nobody has looked yet.</summary>
+        public bool IsSet { get; }
+
+        /// <summary>Comes before files.</summary>
+        public VolumeAsset Asset { get; }
+
+        public string IntensityPath { get; }
+
+        public string LabelsPath { get; }
+
+        /// <summary>Whether there is something to load.</summary>
+        public bool HasSource => Asset != null || IntensityPath.Length > 0;
+
+        public bool Equals(StartSource other) =>
+            IsSet == other.IsSet && Asset == other.Asset && IntensityPath == other.IntensityPath && LabelsPath == other.LabelsPath;
+
+        public override bool Equals(object obj) => obj is StartSource other && Equals(other);
+
+        public override int GetHashCode() => HashCode.Combine(IntensityPath, LabelsPath);
+    }
+}

@@ -1,0 +1,20 @@
+using UnityEngine.Rendering;
+
+namespace AnatomyCarve
+{
+    /// <summary>Which render pipelines draw the shader <c>AnatomyCarve/Carved Volume</c>.</summary>
+    static class RenderPipelines
+    {
+        const string Universal = "UniversalPipeline";
+
+        /// <summary>Why the present pipeline does not draw volumes, as a sentence; null where it does.</summary>
+        public static string Problem()
+        {
+            RenderPipelineAsset pipeline = GraphicsSettings.currentRenderPipeline;
+            if (pipeline == null || pipeline.renderPipelineShaderTag == Universal)
+                return null;
+            return $"{pipeline.GetType().Name} is not supported: use the Universal or the Built-in Render Pipeline "
+                + "(Project Settings > Graphics), or show what CarvedVolumeRenderer.Render makes.";
+        }
+    }
+}

@@ -1,0 +1,87 @@
+// A carved volume in a camera's own picture: a fragment pass on the volume's box that marches each pixel's ray as the kernel Raymarch does
+// (CarvedVolumePass.hlsl). It writes depth, so that the volume and opaque objects hide each other; its colour is premultiplied by alpha. The faces
+// that look away from the viewer are drawn, so that the viewer may be inside. The queue comes after the sky and before other
+// transparent objects, which then see the volume's depth.
+//
+// Properties are set by CarvedVolumeRenderer.
+
+Shader "AnatomyCarve/Carved Volume"
+{
+    Properties
+    {
+        [HideInInspector] _Opacity("Opacity", 3D) = "" {}
+        [HideInInspector] _OpacityAA("Anti-aliased opacity", 3D) = "" {}
+        [HideInInspector] _Normals("Normals", 3D) = "" {}
+        [HideInInspector] _Labels("Labels", 3D) = "" {}
+        [HideInInspector] _SegmentColors("Segment colours", 2D) = "" {}
+    }
+
+    SubShader
+    {
+        PackageRequirements
+        {
+            "com.unity.render-pipelines.universal"
+        }
+        Tags
+        {
+            "RenderPipeline" = "UniversalPipeline"
+            "Queue" = "Transparent-100"
+            "RenderType" = "Transparent"
+            "IgnoreProjector" = "True"
+            "DisableBatching" = "True"
+        }
+
+        Pass
+        {
+            Name "CarvedVolume"
+            Cull Front
+            ZTest LEqual
+            ZWrite On
+            Blend One OneMinusSrcAlpha
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma exclude_renderers gles3
+            #pragma vertex CarvedVolumeVertex
+            #pragma fragment CarvedVolumeFragment
+            #pragma multi_compile_instancing
+            #pragma multi_compile_local _ PORTABLE_LAYOUT
+            #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
+            #include "CarvedVolumePass.hlsl"
+            ENDHLSL
+        }
+    }
+
+    SubShader
+    {
+        Tags
+        {
+            "Queue" = "Transparent-100"
+            "RenderType" = "Transparent"
+            "IgnoreProjector" = "True"
+            "DisableBatching" = "True"
+        }
+
+        Pass
+        {
+            Name "CarvedVolume"
+            Cull Front
+            ZTest LEqual
+            ZWrite On
+            Blend One OneMinusSrcAlpha
+
+            HLSLPROGRAM
+            #pragma target 4.5
+            #pragma exclude_renderers gles3
+            #pragma vertex CarvedVolumeVertex
+            #pragma fragment CarvedVolumeFragment
+            #pragma multi_compile_instancing
+            #pragma multi_compile_local _ PORTABLE_LAYOUT
+            #include "UnityCG.cginc"
+            #include "CarvedVolumePass.hlsl"
+            ENDHLSL
+        }
+    }
+
+    Fallback Off
+}

@@ -1,0 +1,115 @@
+#ifndef ANATOMYCARVE_CARVED_VOLUME_PASS_INCLUDED
+#define ANATOMYCARVE_CARVED_VOLUME_PASS_INCLUDED
+
+#include "Raymarch.hlsl"
+
+// The pass of CarvedVolume.shader. Before the include come UnityCG.cginc or URP's Core.hlsl, for the names that both define.
+//
+// Object space is the volume's local space: metres, +x left, +y superior, +z posterior of the patient. Rays are in centred mm (LPS). t counts the
+// depth along the view in world units, from the camera, as it does in the kernel's pictures of cameras.
+//
+// What is the same for all pixels of an eye is computed at the box's corners and not interpolated.
+
+static const float MM_PER_METRE = 1000.0;
+static const float LEAST_ALPHA = 0.5 / 255.0; // less is not seen, and must not write depth
+
+struct Attributes
+{
+    float3 position : POSITION;
+    UNITY_VERTEX_INPUT_INSTANCE_ID
+};
+
+struct Varyings
+{
+    float4 clipPosition : SV_POSITION;
+    float3 position : TEXCOORD0;                 // on the box, centred mm
+    nointerpolation float4 eye : TEXCOORD1;      // xyz: the camera, centred mm; w: 1 = parallel rays
+    nointerpolation float3 forward : TEXCOORD2;  // along the view, centred mm per unit of depth
+    nointerpolation float4 depthRow : TEXCOORD3; // depth of p = dot(row, float4(p, 1)), p in centred mm
+    nointerpolation float4 clipZRow : TEXCOORD4; // likewise z and w of the clip position
+    nointerpolation float4 clipWRow : TEXCOORD5;
+    nointerpolation float3 toLight : TEXCOORD6;  // unit vector, centred mm
+    UNITY_VERTEX_OUTPUT_STEREO
+};
+
+struct Fragment
+{
+    float4 color : SV_Target;
+    float depth : SV_Depth;
+};
+
+// Metres (left, superior, posterior) and LPS millimetres: the last two axes change places.
+float3 LocalToMm(float3 local) { return MM_PER_METRE * local.xzy; }
+
+// A row that is multiplied with (local, 1) as one that is multiplied with (centred mm, 1).
+float4 RowForMm(float4 row) { return float4(row.xzy / MM_PER_METRE, row.w); }
+
+Varyings CarvedVolumeVertex(Attributes input)
+{
+    Varyings output = (Varyings)0;
+    UNITY_SETUP_INSTANCE_ID(input);
+    UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(output);
+    float4x4 localToView = mul(UNITY_MATRIX_V, unity_ObjectToWorld);
+    float4x4 localToClip = mul(UNITY_MATRIX_P, localToView);
+    float parallel = UNITY_MATRIX_P[3][3] != 0.0 ? 1.0 : 0.0;
+    float3x3 viewToLocal = mul((float3x3)unity_WorldToObject, transpose((float3x3)UNITY_MATRIX_V));
+
+    output.position = LocalToMm(input.position);
+    output.eye = float4(LocalToMm(mul(unity_WorldToObject, float4(_WorldSpaceCameraPos, 1.0)).xyz), parallel);
+    output.forward = LocalToMm(-mul(viewToLocal, float3(0.0, 0.0, 1.0)));
+    output.depthRow = -RowForMm(localToView[2]);
+    output.clipZRow = RowForMm(localToClip[2]);
+    output.clipWRow = RowForMm(localToClip[3]);
+    output.toLight = normalize(LocalToMm(mul(viewToLocal, _LightDirection.xyz)));
+
+    // The far plane must not cut faces off through which the volume is seen, and the near plane only what lies behind it: depth comes from
+    // the fragments. z = 0 at the near plane, below w everywhere.
+    float4 clip = mul(localToClip, float4(input.position, 1.0));
+    clip.z = 0.5 * (parallel > 0.0 ? clip.w : clip.w - _ProjectionParams.y);
+    output.clipPosition = clip;
+    return output;
+}
+
+// Colours are linear up to here; what a gamma project blends and stores is encoded.
+float4 InProjectsColorSpace(float4 premultiplied)
+{
+#ifdef UNITY_COLORSPACE_GAMMA
+    float3 linearColor = max(premultiplied.rgb / max(premultiplied.a, 1e-4), 0.0);
+    float3 low = 12.92 * linearColor;
+    float3 high = 1.055 * pow(max(linearColor, 1e-4), 1.0 / 2.4) - 0.055;
+    float3 encoded = float3(
+        linearColor.r <= 0.0031308 ? low.r : high.r, linearColor.g <= 0.0031308 ? low.g : high.g, linearColor.b <= 0.0031308 ? low.b : high.b);
+    premultiplied.rgb = encoded * premultiplied.a;
+#endif
+    return premultiplied;
+}
+
+Fragment CarvedVolumeFragment(Varyings input)
+{
+    UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input);
+    float depthHere = dot(input.depthRow, float4(input.position, 1.0));
+    float3 direction, origin;
+    if (input.eye.w > 0.0)
+    {
+        direction = input.forward;
+        origin = input.position - depthHere * direction;
+    }
+    else
+    {
+        direction = (input.position - input.eye.xyz) / depthHere;
+        origin = input.eye.xyz;
+    }
+    RayResult ray = MarchRay(origin, direction, _ProjectionParams.y, _ProjectionParams.z, input.toLight);
+    if (ray.color.a < LEAST_ALPHA)
+        discard;
+
+    // Matter that never becomes opaque enough to count as a segment has the depth at which it begins.
+    float distanceMm = ray.color.a >= _March.z ? ray.depthMm : ray.enterMm;
+    float4 seen = float4(origin + distanceMm / length(direction) * direction, 1.0);
+    Fragment output;
+    output.color = InProjectsColorSpace(ray.color);
+    output.depth = dot(input.clipZRow, seen) / dot(input.clipWRow, seen);
+    return output;
+}
+
+#endif

@@ -1,0 +1,172 @@
+using System;
+using System.Collections;
+using AnatomyCarve.Volumes;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.Rendering;
+using UnityEngine.TestTools;
+
+namespace AnatomyCarve.Tests.Drawing
+{
+    /// <summary>What cameras cause to be computed, when, and what they draw.</summary>
+    sealed class DrawingUpdateTests : DrawnScene
+    {
+        [UnityTest]
+        public IEnumerator Frames_InWhichNothingChanged_ComputeNothing()
+        {
+            CarvedVolumeRenderer renderer = MakeVolume(Phantoms.Markers());
+            Camera first = MakeDrawingCamera(new Vector3(0f, 0f, -0.08f), Vector3.up), second = MakeDrawingCamera(new Vector3(0f, 0.08f, 0f), Vector3.forward);
+            first.enabled = second.enabled = true;
+            yield return null;
+            yield return null;
+            int dispatches = renderer.Statistics.VolumeDispatches;
+            Assert.That(dispatches, Is.EqualTo(3), "each kernel once, for both cameras");
+            for (int frame = 0; frame < 3; frame++)
+                yield return null;
+            Assert.That(renderer.Statistics.VolumeDispatches, Is.EqualTo(dispatches));
+            Assert.That(renderer.Statistics.Raymarch.Dispatches, Is.Zero, "cameras draw with the eye shader");
+        }
+
+        [Test]
+        public void Sphere_MovedBeforeAPicture_IsSeenInIt()
+        {
+            CarvedVolumeRenderer renderer = MakeVolume(Phantoms.Markers());
+            Camera camera = MakeDrawingCamera(new Vector3(0f, 0f, -0.08f), Vector3.up);
+            int whole = CountDrawn(Draw(camera), camera);
+            renderer.Stack.SetActive(Vector3.zero, 1f);
+            Assert.That(CountDrawn(Draw(camera), camera), Is.Zero, "everything is clipped");
+            renderer.Stack.Undo();
+            Assert.That(CountDrawn(Draw(camera), camera), Is.EqualTo(whole));
+        }
+
+        [Test]
+        public void Sphere_MovedByACallbackBeforeRendering_IsSeenInTheSameFrame()
+        {
+            CarvedVolumeRenderer renderer = MakeVolume(Phantoms.Markers());
+            Camera camera = MakeDrawingCamera(new Vector3(0f, 0f, -0.08f), Vector3.up);
+            Draw(camera);
+            void Carve() => renderer.Stack.SetActive(Vector3.zero, 1f);
+            Application.onBeforeRender += Carve;
+            try
+            {
+                Carve(); // as the player loop would have called it, after all updates
+                Assert.That(CountDrawn(Draw(camera), camera), Is.Zero);
+            }
+            finally
+            {
+                Application.onBeforeRender -= Carve;
+            }
+        }
+
+        [Test]
+        public void Volume_OnALayerThatACameraDoesNotSee_IsNotDrawn()
+        {
+            CarvedVolumeRenderer renderer = MakeVolume(Phantoms.Markers());
+            Camera camera = MakeDrawingCamera(new Vector3(0f, 0f, -0.08f), Vector3.up);
+            renderer.gameObject.layer = 1;
+            camera.cullingMask = ~(1 << 1);
+            Assert.That(CountDrawn(Draw(camera), camera), Is.Zero);
+            Assert.That(renderer.Statistics.VolumeDispatches, Is.Zero, "nobody sees it, so nothing is computed");
+            camera.cullingMask = 1 << 1;
+            Assert.That(CountDrawn(Draw(camera), camera), Is.GreaterThan(100));
+        }
+
+        [Test]
+        public void Volume_ThatIsNotToBeDrawn_IsNot()
+        {
+            CarvedVolumeRenderer renderer = MakeVolume(Phantoms.Markers());
+            Camera camera = MakeDrawingCamera(new Vector3(0f, 0f, -0.08f), Vector3.up);
+            renderer.DrawInCameras = false;
+            Assert.That(CountDrawn(Draw(camera), camera), Is.Zero);
+            renderer.DrawInCameras = true;
+            Assert.That(CountDrawn(Draw(camera), camera), Is.GreaterThan(100));
+            renderer.enabled = false;
+            Assert.That(CountDrawn(Draw(camera), camera), Is.Zero);
+        }
+
+        [Test]
+        public void Volume_OfNoExtent_IsNotDrawn()
+        {
+            CarvedVolumeRenderer renderer = MakeVolume(Phantoms.Markers());
+            renderer.transform.localScale = new Vector3(1f, 0f, 1f);
+            Camera camera = MakeDrawingCamera(new Vector3(0f, 0f, -0.08f), Vector3.up);
+            Assert.That(CountDrawn(Draw(camera), camera), Is.Zero);
+        }
+
+        [Test]
+        public void Volume_Replaced_IsDrawnInsteadOfTheFirst()
+        {
+            CarvedVolumeRenderer renderer = MakeVolume(Phantoms.Markers());
+            Camera camera = MakeDrawingCamera(new Vector3(0f, 0f, -0.08f), Vector3.up);
+            Draw(camera);
+            renderer.Loader.SetVolume(Phantoms.Cube(16, "Cube"));
+            AssertAlike(Draw(camera), Over(renderer.Render(camera).Read(), camera), 0.002, "the cube");
+            renderer.Loader.Unload();
+            Assert.That(CountDrawn(Draw(camera), camera), Is.Zero);
+        }
+
+        [Test]
+        public void Looks_Changed_AreSeenInTheNextPicture()
+        {
+            CarvedVolumeRenderer renderer = MakeVolume(Phantoms.Markers());
+            Camera camera = MakeDrawingCamera(new Vector3(0f, 0f, -0.08f), Vector3.up);
+            Color[] before = Draw(camera);
+            void AssertChanged(string what)
+            {
+                Color[] after = Draw(camera);
+                Assert.That(after, Is.Not.EqualTo(before), what);
+                AssertAlike(after, Over(renderer.Render(camera).Read(), camera), 0.002, what);
+                before = after;
+            }
+            renderer.Light.Direction = new Vector3(1f, 0f, 0.2f);
+            AssertChanged("the light's direction");
+            renderer.Light.Color = Color.red;
+            AssertChanged("the light's colour");
+            renderer.Light.Ambient = 0.6f;
+            AssertChanged("ambient light");
+            renderer.Segments = renderer.Volume.Segments.WithColor(Phantoms.Anterior, new SegmentColor(255, 255, 255));
+            AssertChanged("a segment's colour");
+            renderer.Quality.FirstVisibleAlpha = 0.9f;
+            renderer.Quality.Step = 2f;
+            AssertChanged("the step");
+            renderer.TransferFunction = OpacityTransferFunction.Constant(0.01);
+            AssertChanged("the transfer function");
+        }
+
+        [Test]
+        public void Callbacks_OfACamera_LeaveNoGarbage()
+        {
+            long before = 0, bytes = -1;
+            int cameras = 0;
+            void First(Camera camera) => before = GC.GetAllocatedBytesForCurrentThread();
+            void Last(Camera camera)
+            {
+                bytes = GC.GetAllocatedBytesForCurrentThread() - before;
+                cameras++;
+            }
+            void FirstInContext(ScriptableRenderContext context, Camera camera) => First(camera);
+            void LastInContext(ScriptableRenderContext context, Camera camera) => Last(camera);
+            Camera.onPreCull += First;
+            RenderPipelineManager.beginCameraRendering += FirstInContext;
+            CarvedVolumeRenderer renderer = MakeVolume(Phantoms.Markers());
+            Camera.onPreCull += Last;
+            RenderPipelineManager.beginCameraRendering += LastInContext;
+            try
+            {
+                renderer.Stack.SetActive(new Vector3(0f, 0f, -0.014f), 0.004f);
+                Camera viewer = MakeDrawingCamera(new Vector3(0f, 0f, -0.08f), Vector3.up);
+                for (int frame = 0; frame < 50; frame++)
+                    viewer.Render();
+                Assert.That(cameras, Is.EqualTo(50));
+                Assert.That(bytes, Is.Zero);
+            }
+            finally
+            {
+                Camera.onPreCull -= First;
+                Camera.onPreCull -= Last;
+                RenderPipelineManager.beginCameraRendering -= FirstInContext;
+                RenderPipelineManager.beginCameraRendering -= LastInContext;
+            }
+        }
+    }
+}
