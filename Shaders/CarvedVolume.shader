@@ -3,7 +3,8 @@
 // that look away from the viewer are drawn, so that the viewer may be inside. The queue comes after the sky and before other
 // transparent objects, which then see the volume's depth.
 //
-// Properties are set by CarvedVolumeRenderer.
+// Properties are set by CarvedVolumeRenderer. All that the passes read is declared here: of a shader whose declared numbers lie outside
+// UnityPerMaterial URP's SRP Batcher keeps its hands off, while numbers that nobody declared might be those of the volume drawn before.
 
 Shader "AnatomyCarve/Carved Volume"
 {
@@ -14,6 +15,22 @@ Shader "AnatomyCarve/Carved Volume"
         [HideInInspector] _Normals("Normals", 3D) = "" {}
         [HideInInspector] _Labels("Labels", 3D) = "" {}
         [HideInInspector] _SegmentColors("Segment colours", 2D) = "" {}
+        [HideInInspector] _VolumeDims("Voxels", Vector) = (0, 0, 0, 0)
+        [HideInInspector] _BrickGrid("Bricks", Vector) = (0, 0, 0, 0)
+        [HideInInspector] _IndexToMm0("Index to mm, row 0", Vector) = (0, 0, 0, 0)
+        [HideInInspector] _IndexToMm1("Index to mm, row 1", Vector) = (0, 0, 0, 0)
+        [HideInInspector] _IndexToMm2("Index to mm, row 2", Vector) = (0, 0, 0, 0)
+        [HideInInspector] _MmToIndex0("Mm to index, row 0", Vector) = (0, 0, 0, 0)
+        [HideInInspector] _MmToIndex1("Mm to index, row 1", Vector) = (0, 0, 0, 0)
+        [HideInInspector] _MmToIndex2("Mm to index, row 2", Vector) = (0, 0, 0, 0)
+        [HideInInspector] _CentreIndex("Centre", Vector) = (0, 0, 0, 0)
+        [HideInInspector] _IntensityToLookup("Intensity to lookup", Vector) = (0, 0, 0, 0)
+        [HideInInspector] _CarveCounts("Counts", Vector) = (0, 0, 0, 0)
+        [HideInInspector] _AntiAlias("Anti-aliasing", Vector) = (0, 0, 0, 0)
+        [HideInInspector] _March("Steps", Vector) = (0, 0, 0, 0)
+        [HideInInspector] _LightDirection("Light direction", Vector) = (0, 0, 0, 0)
+        [HideInInspector] _LightColor("Light colour", Vector) = (0, 0, 0, 0)
+        [HideInInspector] _Shading("Shading", Vector) = (0, 0, 0, 0)
     }
 
     SubShader
@@ -41,7 +58,7 @@ Shader "AnatomyCarve/Carved Volume"
 
             HLSLPROGRAM
             #pragma target 4.5
-            #pragma exclude_renderers gles3
+            #pragma exclude_renderers gles3 glcore
             #pragma vertex CarvedVolumeVertex
             #pragma fragment CarvedVolumeFragment
             #pragma multi_compile_instancing
@@ -72,7 +89,7 @@ Shader "AnatomyCarve/Carved Volume"
 
             HLSLPROGRAM
             #pragma target 4.5
-            #pragma exclude_renderers gles3
+            #pragma exclude_renderers gles3 glcore
             #pragma vertex CarvedVolumeVertex
             #pragma fragment CarvedVolumeFragment
             #pragma multi_compile_instancing

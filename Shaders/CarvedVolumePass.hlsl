@@ -49,13 +49,16 @@ Varyings CarvedVolumeVertex(Attributes input)
     Varyings output = (Varyings)0;
     UNITY_SETUP_INSTANCE_ID(input);
     UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(output);
-    float4x4 localToView = mul(UNITY_MATRIX_V, unity_ObjectToWorld);
+    float4x4 view = UNITY_MATRIX_V;
+    float4x4 localToView = mul(view, unity_ObjectToWorld);
     float4x4 localToClip = mul(UNITY_MATRIX_P, localToView);
     float parallel = UNITY_MATRIX_P[3][3] != 0.0 ? 1.0 : 0.0;
-    float3x3 viewToLocal = mul((float3x3)unity_WorldToObject, transpose((float3x3)UNITY_MATRIX_V));
+    float3x3 viewToLocal = mul((float3x3)unity_WorldToObject, transpose((float3x3)view));
+    // Not _WorldSpaceCameraPos: that is where the camera's GameObject is, even where an eye or a view of the camera's own is elsewhere.
+    float3 eye = -mul(transpose((float3x3)view), float3(view[0][3], view[1][3], view[2][3]));
 
     output.position = LocalToMm(input.position);
-    output.eye = float4(LocalToMm(mul(unity_WorldToObject, float4(_WorldSpaceCameraPos, 1.0)).xyz), parallel);
+    output.eye = float4(LocalToMm(mul(unity_WorldToObject, float4(eye, 1.0)).xyz), parallel);
     output.forward = LocalToMm(-mul(viewToLocal, float3(0.0, 0.0, 1.0)));
     output.depthRow = -RowForMm(localToView[2]);
     output.clipZRow = RowForMm(localToClip[2]);

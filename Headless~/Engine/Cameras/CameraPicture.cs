@@ -87,6 +87,7 @@ namespace UnityEngine
             Left = m_Left,
             Right = m_Right,
             IsStereo = IsOfBothEyes,
+            CameraPosition = IsToldTheObjectsPlace ? Camera.transform.position : (Vector3?)null,
             EyeIndex = Eye == Camera.MonoOrStereoscopicEye.Right ? 1 : 0,
             Width = Camera.pixelWidth,
             Height = Camera.pixelHeight,
@@ -95,6 +96,12 @@ namespace UnityEngine
             IsOrthographic = Camera.orthographic,
             OrthographicSize = new Vector2(Camera.orthographicSize * Camera.aspect, Camera.orthographicSize),
         };
+
+        /// <summary>
+        /// Whether shaders are told where the camera's GameObject is, though the view may be from elsewhere: so are a camera's that is no headset's, which may
+        /// have a view matrix of its own, and in URP also a single eye's.
+        /// </summary>
+        bool IsToldTheObjectsPlace => !IsOfBothEyes && (!m_InHeadset || RenderPipelines.Asset != null);
 
         void Begin(RenderTexture target, int slice)
         {

@@ -15,6 +15,7 @@ namespace UnityEngine
         internal static readonly PassRules Universal = new(true, "", "SRPDefaultUnlit", "UniversalForward", "UniversalForwardOnly")
         {
             m_ShowsErrorFor = new[] { "Always", "ForwardBase", "PrepassBase", "Vertex", "VertexLMRGBM", "VertexLM" },
+            m_Batches = true,
         };
 
         internal static readonly PassRules ShadowCasters = new(true, "ShadowCaster");
@@ -22,6 +23,7 @@ namespace UnityEngine
         readonly HashSet<string> m_Modes;
         string[] m_ShowsErrorFor = Array.Empty<string>();
         readonly bool m_FirstOnly;
+        bool m_Batches;
 
         PassRules(bool firstOnly, params string[] modes)
         {
@@ -43,7 +45,7 @@ namespace UnityEngine
             {
                 var mode = pass.Pass.LightMode;
                 if (m_Modes.Contains(mode) && item.Material.GetShaderPassEnabled(mode) && (drawn.Add(Kind(mode)) || !m_FirstOnly))
-                    Drawer.Draw(item, pass);
+                    Drawer.Draw(item, pass, m_Batches);
             }
             if (drawn.Count == 0 && Array.Exists(m_ShowsErrorFor, mode => passes.Any(p => p.Pass.LightMode == mode)))
                 DrawError(item);

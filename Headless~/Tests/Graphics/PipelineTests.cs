@@ -154,6 +154,24 @@ namespace AnatomyCarve.Headless.Tests.Graphics
             Assert.That(Pixel(target, Middle, Middle), Is.EqualTo(Color.magenta));
         }
 
+        [TestCase("Universal", true)]
+        [TestCase("BuiltIn", false)]
+        public void NumberThatNoPropertyDeclares_IsAnErrorWhereShadersAreBatched(string kind, bool isError)
+        {
+            ProjectPipeline.Choose(Enum.Parse<PipelineKind>(kind));
+            var target = Target();
+            var material = Material("Batched");
+            material.SetVector("_Declared", new Vector4(0, 1, 0, 1));
+            Object(Cube, material, Vector3.zero);
+            Camera(target).Render();
+            Assert.That(Pixel(target, Middle, Middle), Is.EqualTo(Color.green), "so far all is well");
+            material.SetVector("_Undeclared", new Vector4(0, 0, 1, 0));
+            if (isError)
+                LogAssert.Expect(LogType.Error, new Regex("'_Undeclared' is set to the material, but the shader does not declare it"));
+            Camera(target).Render();
+            Assert.That(Pixel(target, Middle, Middle), Is.EqualTo(new Color(0, 1, 1, 1)));
+        }
+
         [Test]
         public void UniversalShaders_AreThereOnlyWithTheirPackage()
         {

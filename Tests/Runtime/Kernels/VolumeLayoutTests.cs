@@ -57,6 +57,15 @@ namespace AnatomyCarve.Tests.Kernels
         public void ConstantBuffer_OfMaterials_HoldsNoIntegers(string name) =>
             Assert.That(Members(Read("VolumeLayout.hlsl"), "cbuffer", name).ConvertAll(member => member[0]), Is.All.EqualTo("float4"));
 
+        [TestCase("CarvedVolume")]
+        [TestCase("RaymarchSettings")]
+        public void ConstantBuffer_OfMaterials_IsDeclaredByTheEyeShader(string name)
+        {
+            Shader shader = AnatomyCarveShaders.Load().CarvedVolume;
+            foreach (string[] member in Members(Read("VolumeLayout.hlsl"), "cbuffer", name))
+                Assert.That(shader.FindPropertyIndex(member[1]), Is.GreaterThanOrEqualTo(0), member[1] + ": URP's SRP Batcher would not keep it per material");
+        }
+
         [Test]
         public void Resources_AreAllKnownToCSharp()
         {

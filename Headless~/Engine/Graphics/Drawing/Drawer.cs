@@ -66,14 +66,17 @@ namespace UnityEngine
         internal static long TriangleCount { get; private set; }
 
         /// <summary>Draws with one pass of the material. Errors are logged once, and nothing is drawn.</summary>
+        /// <param name="batched">Whether URP's SRP Batcher draws it.</param>
         /// <returns>Whether it was drawn.</returns>
-        internal static bool Draw(in DrawItem item, PassProgram pass)
+        internal static bool Draw(in DrawItem item, PassProgram pass, bool batched = false)
         {
             if (DrawTargets.Resolve() is not { } target)
                 return false;
             var variant = pass.Variant(Keywords(item.Material), ShaderGlobals.Keywords);
             if (variant == null || !variant.Compile())
                 return BuiltinShaders.TryReplace(item, out var replaced, out var error) && Draw(replaced, error);
+            if (batched && item.Block is null)
+                SrpBatcher.Check(item.Material, variant);
             if (Geometry(item, out var command, out var layout, out var topology) is false)
                 return false;
             ViewValues.Write(s_Object, item.ObjectToWorld);

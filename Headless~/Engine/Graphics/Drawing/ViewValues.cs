@@ -28,6 +28,9 @@ namespace UnityEngine
         internal EyeView Right;
         internal bool IsStereo;
 
+        /// <summary>What shaders are told as the camera's place in a picture of one; null = where the view is from.</summary>
+        internal Vector3? CameraPosition;
+
         /// <summary>Whether the picture is drawn into a texture, which turns it over on this API.</summary>
         internal bool IntoTexture;
         internal int Width;
@@ -94,7 +97,7 @@ namespace UnityEngine
                 if (view.IsStereo)
                     Set(sheet, both, value(view.Left, texture), value(view.Right, texture));
             }
-            sheet.Set(s_CameraPosition, (Vector4)view.Left.Position, NumberKind.Float);
+            sheet.Set(s_CameraPosition, (Vector4)(view.CameraPosition ?? view.Left.Position), NumberKind.Float);
             if (view.IsStereo)
             {
                 Set(sheet, s_StereoPosition, (Vector4)view.Left.Position, (Vector4)view.Right.Position);
