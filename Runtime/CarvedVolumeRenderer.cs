@@ -40,17 +40,17 @@ namespace AnatomyCarve
         [SerializeField, Tooltip("How the volume lies in textures. Automatic asks the device; Portable helps where a driver claims more than it can")]
         TextureLayout layout = TextureLayout.Automatic;
 
-        readonly GpuSlot gpu = new GpuSlot(new RenderStatistics());
+        GpuSlot slot;
         readonly VolumeSettings settings = new VolumeSettings();
         readonly FieldCache field = new FieldCache();
         MeshFilter meshFilter;
         MeshRenderer meshRenderer;
 
         /// <summary>The volume that is shown: the one that was set, or else the one on this GameObject. Null if there is none.</summary>
-        public VolumeLoader Loader { get => this.WiredOrSibling(ref loader); set => loader = value; }
+        public VolumeLoader Loader { get => this.WiredOrSibling(loader); set => loader = value; }
 
         /// <summary>The carving that is shown: the one that was set, or else the one on this GameObject. Null = the whole volume is shown.</summary>
-        public ClipSphereStack Stack { get => this.WiredOrSibling(ref stack); set => stack = value; }
+        public ClipSphereStack Stack { get => this.WiredOrSibling(stack); set => stack = value; }
 
         /// <summary>The volume; null while none is loaded.</summary>
         public SegmentedVolume Volume => Loader != null ? Loader.Volume : null;
@@ -91,19 +91,21 @@ namespace AnatomyCarve
         public bool CountSamples { get; set; }
 
         /// <summary>What this renderer has done and what it holds on the GPU.</summary>
-        public RenderStatistics Statistics => gpu.Statistics;
+        public RenderStatistics Statistics => Slot.Statistics;
 
         /// <summary>
         /// Why the volume, or some way of showing it, is refused by the device or the render pipeline, as a sentence; null = all is well as far as it was
         /// tried. It is also logged, once.
         /// </summary>
-        public string Problem => gpu.Problem;
+        public string Problem => Slot.Problem;
 
         /// <summary>The carved volume on the CPU, as it would be shown now; for pointers. Null while no volume is loaded.</summary>
         public CarvedField Field => field.Of(Inputs);
 
         /// <summary>How rays are marched and when a segment counts as visible, for pointers that find what the picture shows.</summary>
         public RaySettings RaySettings => quality.RaySettings;
+
+        GpuSlot Slot => slot ??= new GpuSlot(this);
 
         VolumeInputs Inputs => Volume is { } volume
             ? new VolumeInputs(volume, transform.localToWorldMatrix, CarvingOf(volume), TransferFunction, Segments, quality, shading)
@@ -124,7 +126,7 @@ namespace AnatomyCarve
             if (!IsShown(inputs) || !inputs.HasExtent)
                 return null;
             PictureRayBundle rays = CameraRays.Bundle(camera, inputs, width > 0 ? width : camera.pixelWidth, height > 0 ? height : camera.pixelHeight);
-            return gpu.Render(inputs, rays, CountSamples, gpu.Gpu.Pictures.Of(camera), this);
+            return Slot.Render(inputs, rays, CountSamples, Slot.Gpu.Pictures.Of(camera));
         }
 
         /// <summary>Makes the picture that rays of one's own see.</summary>
@@ -138,17 +140,19 @@ namespace AnatomyCarve
             if (rays == null)
                 throw new ArgumentNullException(nameof(rays));
             VolumeInputs inputs = Inputs;
-            return IsShown(inputs) ? gpu.Render(inputs, new PictureRayBundle(rays), CountSamples, picture ?? gpu.Gpu.Pictures.OfRays(), this) : null;
+            return IsShown(inputs) ? Slot.Render(inputs, new PictureRayBundle(rays), CountSamples, picture ?? Slot.Gpu.Pictures.OfRays()) : null;
         }
 
         /// <summary>Frees all GPU memory; the next picture takes it again. Pictures that this renderer returned are freed too.</summary>
-        public void ReleaseResources() => gpu.Release();
+        public void ReleaseResources() => Slot.Release();
 
         void OnEnable()
         {
-            TryGetComponent(out meshFilter);
-            TryGetComponent(out meshRenderer);
-            meshRenderer.shadowCastingMode = ShadowCastingMode.Off;
+            if (!TryGetComponent(out meshFilter))
+                meshFilter = gameObject.AddComponent<MeshFilter>(); // scenes of before it was required
+            if (!TryGetComponent(out meshRenderer))
+                meshRenderer = gameObject.AddComponent<MeshRenderer>();
+            meshRenderer.shadowCastingMode = ShadowCastingMode.Off; // the shader has no pass for them
             meshRenderer.receiveShadows = false;
             Camera.onPreCull += BeforeCamera;
             RenderPipelineManager.beginCameraRendering += BeforeCamera;
@@ -157,10 +161,12 @@ namespace AnatomyCarve
         void LateUpdate()
         {
             SegmentedVolume volume = Volume; // a volume is large: none is held that is not shown
-            gpu.KeepOnly(volume);
+            Slot.KeepOnly(volume);
             field.KeepOnly(volume);
             settings.KeepOnly(volume);
-            gpu.Gpu?.Pictures.DropGone();
+            Slot.Gpu?.Pictures.DropGone();
+            if (!Place(volume, transform.localToWorldMatrix)) // here already, so that the renderer's bounds are known before cameras cull
+                VolumeDrawing.Clear(meshFilter, meshRenderer);
         }
 
         void OnDisable()
@@ -187,13 +193,16 @@ namespace AnatomyCarve
             if (camera.cameraType == CameraType.Preview || (camera.cullingMask & 1 << gameObject.layer) == 0)
                 return;
             VolumeInputs inputs = Inputs;
-            if (drawInCameras && inputs.Volume != null && inputs.HasExtent && IsShown(inputs))
-                gpu.ShowOn(meshFilter, meshRenderer, inputs, this);
+            if (Place(inputs.Volume, inputs.ToWorld) && IsShown(inputs))
+                Slot.Bind(inputs);
             else
                 VolumeDrawing.Clear(meshFilter, meshRenderer);
         }
 
-        bool IsShown(in VolumeInputs inputs) => isActiveAndEnabled && gpu.Update(inputs, layout, this) != null;
+        bool Place(SegmentedVolume volume, in Matrix4x4 toWorld) => drawInCameras && volume != null && VolumeSpace.WorldScale(toWorld) != 0
+            && Slot.Place(meshFilter, meshRenderer, volume, layout);
+
+        bool IsShown(in VolumeInputs inputs) => isActiveAndEnabled && Slot.Update(inputs, layout) != null;
 
         CarvingSnapshot CarvingOf(SegmentedVolume volume) =>
             Stack != null && Stack.Carving != null && Stack.Loader.Volume == volume ? Stack.Carving.State : null;

@@ -32,7 +32,7 @@ namespace AnatomyCarve
         int historyLimit = CarvingStack.DefaultHistoryLimit;
 
         readonly StartCarving start = new StartCarving();
-        SegmentedVolume carved;
+        readonly WeakReference<SegmentedVolume> carved = new WeakReference<SegmentedVolume>(null); // a volume is large: none is held that is not shown
         CarvingStack carving;
         CarvingDocument loaded;
 
@@ -40,7 +40,7 @@ namespace AnatomyCarve
         public event Action<CarvingChange> Changed;
 
         /// <summary>The volume that is carved: the one that was set, or else the one on this GameObject. Null if there is none.</summary>
-        public VolumeLoader Loader { get => this.WiredOrSibling(ref loader); set => loader = value; }
+        public VolumeLoader Loader { get => this.WiredOrSibling(loader); set => loader = value; }
 
         /// <summary>
         /// The carving; null while no volume is loaded, and another one for each volume. In the Editor, outside Play, also another one when what volumes
@@ -51,13 +51,15 @@ namespace AnatomyCarve
             get
             {
                 SegmentedVolume volume = Loader != null ? Loader.Volume : null;
-                if (volume != carved || (!Application.isPlaying && start.Differs(startCarving, startFile)))
+                if (!IsCarved(volume) || (!Application.isPlaying && start.Differs(startCarving, startFile)))
                     Carve(volume);
                 return carving;
             }
         }
 
-        /// <summary>A carving file that volumes loaded from now on start with; null = nothing is carved.</summary>
+        /// <summary>
+        /// A carving file that volumes loaded from now on start with, unless the carving was edited in the Editor, which comes before it; null = none.
+        /// </summary>
         public TextAsset StartFile { get => startFile; set => startFile = value; }
 
         /// <summary>Radius of the new active sphere when the active one is fixed, relative to the old one; 0.05 to 1.</summary>
@@ -81,7 +83,7 @@ namespace AnatomyCarve
         {
             CarvingStack stack = Required();
             Matrix4x4 localToWorld = transform.localToWorldMatrix;
-            PointMm centre = VolumeSpace.WorldToLps(carved.Geometry, localToWorld).TransformPoint(new PointMm(worldCentre.x, worldCentre.y, worldCentre.z));
+            PointMm centre = VolumeSpace.WorldToLps(Loader.Volume.Geometry, localToWorld).TransformPoint(new PointMm(worldCentre.x, worldCentre.y, worldCentre.z));
             stack.SetActive(centre, worldRadius / (VolumeSpace.WorldScale(localToWorld) * VolumeSpace.MetresPerMm));
         }
 
@@ -162,12 +164,12 @@ namespace AnatomyCarve
 
         CarvingStack Required() => Carving ?? throw new InvalidOperationException($"{name}: no volume is loaded, so there is nothing to carve.");
 
-        CarvingDocument Document() => CarvingBinding.Document(Required().State, carved.Segments, loaded);
+        CarvingDocument Document() => CarvingBinding.Document(Required().State, Loader.Volume.Segments, loaded);
 
         IReadOnlyList<string> Take(CarvingDocument document)
         {
             CarvingStack stack = Required();
-            CarvingBinding binding = CarvingBinding.Bind(document, carved.Segments);
+            CarvingBinding binding = CarvingBinding.Bind(document, Loader.Volume.Segments);
             loaded = document; // before the change is raised: a listener may save
             stack.Replace(binding.Fixed, binding.Active);
             foreach (string warning in binding.Warnings)
@@ -179,12 +181,16 @@ namespace AnatomyCarve
         {
             if (carving != null)
                 carving.Changed -= Raise;
-            carved = volume;
+            carved.SetTarget(volume);
             carving = start.Of(volume, startCarving, startFile, this, out loaded);
             if (carving != null)
                 carving.Changed += Raise;
             Configure();
         }
+
+        bool IsCarved(SegmentedVolume volume) => volume == null
+            ? carving == null
+            : carving != null && carved.TryGetTarget(out SegmentedVolume known) && known == volume;
 
         void Configure()
         {

@@ -24,6 +24,8 @@ namespace AnatomyCarve
         [SerializeField, Min(0f), Tooltip("How far it points, in world units")]
         float maxDistance = 10f;
 
+        CarvedVolumeRenderer found;
+
         /// <summary>Raised when another segment is pointed at, or none any more.</summary>
         public event Action<SegmentHit> Changed;
 
@@ -32,9 +34,11 @@ namespace AnatomyCarve
         {
             get
             {
-                if (target == null)
-                    target = GetComponentInParent<CarvedVolumeRenderer>();
-                return target;
+                if (target != null)
+                    return target; // what is found is not written into the field, which would be saved with the scene
+                if (found == null)
+                    found = GetComponentInParent<CarvedVolumeRenderer>();
+                return found;
             }
             set => target = value;
         }
@@ -118,6 +122,8 @@ namespace AnatomyCarve
             Current = SegmentHit.None;
             Changed?.Invoke(Current);
         }
+
+        void OnTransformParentChanged() => found = null;
 
         void OnValidate() => maxDistance = Mathf.Max(0f, maxDistance);
 

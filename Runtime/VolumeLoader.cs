@@ -63,7 +63,7 @@ namespace AnatomyCarve
         /// Loads an imported volume; no medical format has to be parsed. It is unpacked on other threads; everything else as with files.
         /// </summary>
         /// <inheritdoc cref="LoadAsync(string, string, CancellationToken, IProgress{float})"/>
-        /// <param name="asset">The asset. It must stay loaded until the end.</param>
+        /// <param name="asset">The asset.</param>
         /// <exception cref="ArgumentNullException"><paramref name="asset"/> is null.</exception>
         public Task<SegmentedVolume> LoadAsync(VolumeAsset asset, CancellationToken cancellationToken = default, IProgress<float> progress = null)
         {
@@ -169,7 +169,9 @@ namespace AnatomyCarve
             Func<CancellationToken, IProgress<float>, Task<SegmentedVolume>> open, CancellationToken cancellationToken, IProgress<float> progress)
         {
             Cancel();
-            using var source = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken, destroyCancellationToken, Application.exitCancellationToken);
+            // Outside Play the exit's token is that of the last Play, which has ended.
+            CancellationToken exit = Application.isPlaying ? Application.exitCancellationToken : CancellationToken.None;
+            using var source = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken, destroyCancellationToken, exit);
             loading = source;
             CancellationToken token = source.Token;
             var relay = new LoadProgress(progress);
@@ -204,7 +206,7 @@ namespace AnatomyCarve
             Volume = volume;
             Loaded?.Invoke(volume);
             if (!Application.isPlaying)
-                EditorRefresh.Request();
+                EditorLink.RequestRefresh();
         }
     }
 }

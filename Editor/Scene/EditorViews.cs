@@ -15,6 +15,10 @@ namespace AnatomyCarve.Editor
         }
 
         [InitializeOnLoadMethod]
-        static void AnswerRequests() => EditorRefresh.Requested = Refresh;
+        static void AnswerRequests()
+        {
+            EditorLink.Refresh = Refresh;
+            EditorLink.Paused = () => EditorApplication.isPaused;
+        }
     }
 }

@@ -37,14 +37,14 @@ namespace AnatomyCarve.Editor
             Transform parent = target == null ? parentForDraggedObjects : upon ? target.transform : target.transform.parent;
             foreach (Object dragged in DragAndDrop.objectReferences)
                 if (dragged is VolumeAsset asset)
-                    PutBeside(Create(asset, parent).transform, upon ? null : target);
+                    PutBeside(Create(asset, parent).transform, upon ? null : target, (dropMode & HierarchyDropFlags.DropAbove) != 0);
             return DragAndDropVisualMode.Copy;
         }
 
-        static void PutBeside(Transform made, GameObject sibling)
+        static void PutBeside(Transform made, GameObject sibling, bool above)
         {
             if (sibling != null)
-                made.SetSiblingIndex(sibling.transform.GetSiblingIndex() + 1);
+                made.SetSiblingIndex(sibling.transform.GetSiblingIndex() + (above ? 0 : 1));
         }
 
         static GameObject Create(VolumeAsset asset, Transform parent) => VolumeObjects.CreateVolume(asset, parent != null ? parent.gameObject : null);

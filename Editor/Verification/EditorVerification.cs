@@ -14,7 +14,8 @@ namespace AnatomyCarve.Editor
     /// </summary>
     public static class EditorVerification
     {
-        const string SceneOption = "-anatomycarveScene", OutputOption = "-anatomycarveOutput", SampleScene = "DemoHead";
+        const string SceneOption = "-anatomycarveScene", OutputOption = "-anatomycarveOutput", VerificationOption = "-anatomycarveVerification";
+        const string SampleScene = "DemoHead";
 
         /// <summary>
         /// Opens a scene, plays it, and writes game.png (what its camera draws), kernel.png (what the kernel renders for that camera) and
@@ -35,6 +36,17 @@ namespace AnatomyCarve.Editor
             Debug.Log($"AnatomyCarve verification: {scene}, results in {output}.");
             EditorSceneManager.OpenScene(scene, OpenSceneMode.Single);
             VerificationRun.Start(Path.GetFullPath(output), scene);
+        }
+
+        /// <summary>
+        /// With <c>-anatomycarveVerification</c> on the command line shaders are compiled before they are drawn: the first picture of a project would show
+        /// placeholders otherwise.
+        /// </summary>
+        [InitializeOnLoadMethod]
+        static void ObeyCommandLine()
+        {
+            if (Array.IndexOf(Environment.GetCommandLineArgs(), VerificationOption) >= 0)
+                ShaderUtil.allowAsyncCompilation = false;
         }
 
         /// <summary>Imports the package's sample into Assets/Samples, and checks that its volume was imported.</summary>

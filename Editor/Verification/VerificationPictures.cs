@@ -13,6 +13,9 @@ namespace AnatomyCarve.Editor
         /// <summary>The smallest mean difference from the background that counts as something drawn.</summary>
         const float SmallestDifference = 0.02f;
 
+        /// <summary>The largest mean difference of two pictures of the same thing. Lights, fog and effects of the scene do not touch the volume.</summary>
+        const float LargestDifference = 0.05f;
+
         /// <summary>Writes game.png and kernel.png and fills the report in.</summary>
         public static void Take(Camera camera, CarvedVolumeRenderer renderer, string folder, VerificationReport report)
         {
@@ -49,6 +52,8 @@ namespace AnatomyCarve.Editor
                 report.failures.Add("The kernel's picture shows no segment: the camera does not look at the volume.");
             else if (check.DifferenceFromBackground < SmallestDifference)
                 report.failures.Add("The camera drew only its background where the kernel's picture shows the volume.");
+            else if (check.DifferenceFromKernel > LargestDifference)
+                report.failures.Add($"game.png and kernel.png differ by {check.DifferenceFromKernel:0.000} where the volume is; at most {LargestDifference} is expected.");
         }
 
         static Color32[] Save(RenderTexture target, string path)

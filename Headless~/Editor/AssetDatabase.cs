@@ -36,6 +36,9 @@ namespace UnityEditor
 
         public static string[] GetAllAssetPaths() => AssetFiles.All.Select(AssetFiles.ProjectPath).ToArray();
 
+        /// <summary>Whether this process only imports for another one; there are none of that kind here.</summary>
+        public static bool IsAssetImportWorkerProcess() => false;
+
         /// <summary>The first object of that type in the file; null if there is none.</summary>
         public static Object LoadAssetAtPath(string assetPath, Type type)
         {

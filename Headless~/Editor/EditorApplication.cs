@@ -25,6 +25,9 @@ namespace UnityEditor
 
         public static bool isPlayingOrWillChangePlaymode => Application.isPlaying;
 
+        /// <summary>Whether Play stands still; the host goes on all the same, it only says so.</summary>
+        public static bool isPaused { get; set; }
+
         public static bool isCompiling => false;
 
         public static bool isUpdating => false;

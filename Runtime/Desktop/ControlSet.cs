@@ -32,6 +32,9 @@ namespace AnatomyCarve.Desktop
         public ControlSet(InputActionAsset wired, MonoBehaviour user)
         {
             this.user = user;
+#if !ENABLE_INPUT_SYSTEM
+            problems.Add("the project uses the old Input Manager (Project Settings > Player > Active Input Handling: Input System Package or Both)");
+#endif
             shared = AnatomyCarveDesktop.Load();
             if (shared == null)
             {

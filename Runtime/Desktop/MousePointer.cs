@@ -36,7 +36,8 @@ namespace AnatomyCarve.Desktop
         ControlSet input;
         InputAction point, toggle;
         string label = "";
-        bool pointedByItself, took;
+        SegmentPointer taken;
+        bool pointedByItself;
 
         /// <summary>Raised when <see cref="Segment"/> or <see cref="WillBeClipped"/> changed.</summary>
         public event Action Changed;
@@ -44,14 +45,14 @@ namespace AnatomyCarve.Desktop
         /// <summary>The camera whose picture the mouse is in: the one that was set, or else the one on this GameObject.</summary>
         public Camera View
         {
-            get => this.Wired(ref view);
+            get => this.WiredOrSibling(view);
             set => view = value;
         }
 
         /// <summary>What is pointed: the one that was set, or else the one on this GameObject.</summary>
         public SegmentPointer Pointer
         {
-            get => this.Wired(ref pointer);
+            get => this.WiredOrSibling(pointer);
             set => pointer = value;
         }
 
@@ -93,7 +94,7 @@ namespace AnatomyCarve.Desktop
             {
                 Pointer.Point(Nowhere());
             }
-            Tell();
+            Tell(Pointer.CurrentSegment, Pointer.WillBeClipped);
         }
 
         void OnEnable()
@@ -117,27 +118,23 @@ namespace AnatomyCarve.Desktop
         void OnDisable()
         {
             input?.Release();
-            if (took && pointer != null)
-                pointer.AutoPoint = pointedByItself;
-            took = false;
-            Segment = null;
-            WillBeClipped = false;
-            label = "";
+            if (taken != null)
+                taken.AutoPoint = pointedByItself;
+            taken = null;
+            Tell(null, false);
         }
 
         void LateUpdate() => Tick();
 
         void Take()
         {
-            took = true;
-            pointedByItself = Pointer.AutoPoint;
-            Pointer.AutoPoint = false;
+            taken = Pointer;
+            pointedByItself = taken.AutoPoint;
+            taken.AutoPoint = false;
         }
 
-        void Tell()
+        void Tell(Segment segment, bool clipped)
         {
-            Segment segment = Pointer.CurrentSegment;
-            bool clipped = Pointer.WillBeClipped;
             if (ReferenceEquals(segment, Segment) && clipped == WillBeClipped)
                 return;
             Segment = segment;

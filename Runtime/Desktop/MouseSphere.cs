@@ -50,14 +50,14 @@ namespace AnatomyCarve.Desktop
         /// <summary>The camera whose picture the mouse is in: the one that was set, or else the one on this GameObject.</summary>
         public Camera View
         {
-            get => this.Wired(ref view);
+            get => this.WiredOrSibling(view);
             set => view = value;
         }
 
         /// <summary>The carving: the one that was set, or else the one on this GameObject.</summary>
         public ClipSphereStack Stack
         {
-            get => this.Wired(ref stack);
+            get => this.WiredOrSibling(stack);
             set => stack = value;
         }
 
@@ -67,7 +67,7 @@ namespace AnatomyCarve.Desktop
         /// </summary>
         public SegmentPointer Pointer
         {
-            get => this.Wired(ref pointer);
+            get => this.WiredOrSibling(pointer);
             set => pointer = value;
         }
 
@@ -108,7 +108,7 @@ namespace AnatomyCarve.Desktop
                 return;
             }
             if (keys)
-                input.Edit(stack);
+                input.Edit(Stack);
             holds = Holds(keys);
             Vector3 motion = keys ? input.Motion : Vector3.zero;
             float growth = keys ? input.Growth : 0f;

@@ -1,8 +1,10 @@
 using System;
+using System.Globalization;
 using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
 using AnatomyCarve.Volumes;
+using UnityEngine;
 using UnityEngine.Networking;
 
 namespace AnatomyCarve
@@ -13,10 +15,20 @@ namespace AnatomyCarve
     /// </summary>
     sealed class FetchedFiles : IDisposable
     {
-        readonly string folder;
+        const string Prefix = "anatomycarve-";
 
-        /// <param name="temporaryFolder">Where the copies' own folder is made when it is needed.</param>
-        public FetchedFiles(string temporaryFolder) => folder = Path.Combine(temporaryFolder, "anatomycarve-" + Guid.NewGuid().ToString("N"));
+        /// <summary>No load takes as long: a folder that is older was left by a process that was ended.</summary>
+        static readonly TimeSpan Leftover = TimeSpan.FromDays(1);
+
+        readonly string folder;
+        int fetched;
+
+        /// <param name="temporaryFolder">Where the copies' own folder is made when it is needed. What was left there long ago is removed.</param>
+        public FetchedFiles(string temporaryFolder)
+        {
+            folder = Path.Combine(temporaryFolder, Prefix + Guid.NewGuid().ToString("N"));
+            RemoveLeftovers(temporaryFolder);
+        }
 
         /// <summary>Copies a file, streaming, if it is one of these.</summary>
         /// <param name="path">A path or an address; null = no file.</param>
@@ -26,10 +38,12 @@ namespace AnatomyCarve
         {
             if (!VolumePaths.IsAddress(path))
                 return path;
-            string copy = Path.Combine(folder, VolumePaths.FileNameOf(path));
+            // A folder for each: a scan and its labels may have the same name.
+            string copy = Path.Combine(folder, (++fetched).ToString(CultureInfo.InvariantCulture), VolumePaths.FileNameOf(path));
+            Directory.CreateDirectory(Path.GetDirectoryName(copy));
             using UnityWebRequest request = UnityWebRequest.Get(path);
             request.downloadHandler = new DownloadHandlerFile(copy) { removeFileOnAbort = true };
-            UnityWebRequestAsyncOperation operation = request.SendWebRequest();
+            UnityWebRequestAsyncOperation operation = Send(request, path);
             while (!operation.isDone)
             {
                 if (cancellationToken.IsCancellationRequested)
@@ -44,10 +58,43 @@ namespace AnatomyCarve
             return copy;
         }
 
-        public void Dispose()
+        public void Dispose() => Remove(folder);
+
+        /// <exception cref="AnatomyCarveException">Unity refuses the address.</exception>
+        static UnityWebRequestAsyncOperation Send(UnityWebRequest request, string path)
         {
-            if (Directory.Exists(folder))
-                Directory.Delete(folder, true);
+            try
+            {
+                return request.SendWebRequest();
+            }
+            catch (InvalidOperationException e)
+            {
+                throw new AnatomyCarveException($"{path} could not be fetched: {e.Message.TrimEnd('.')}. Use https://, or allow http:// in Project "
+                    + "Settings > Player > Allow downloads over HTTP.", e);
+            }
+        }
+
+        static void RemoveLeftovers(string temporaryFolder)
+        {
+            if (!Directory.Exists(temporaryFolder))
+                return;
+            foreach (string old in Directory.GetDirectories(temporaryFolder, Prefix + "*"))
+                if (DateTime.UtcNow - Directory.GetLastWriteTimeUtc(old) > Leftover)
+                    Remove(old);
+        }
+
+        /// <summary>What cannot be removed is said, and tried again by a later load.</summary>
+        static void Remove(string folder)
+        {
+            try
+            {
+                if (Directory.Exists(folder))
+                    Directory.Delete(folder, true);
+            }
+            catch (Exception e) when (e is IOException || e is UnauthorizedAccessException)
+            {
+                Debug.LogWarning($"Temporary files in {folder} could not be removed: {e.Message}");
+            }
         }
     }
 }

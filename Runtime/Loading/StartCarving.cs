@@ -9,16 +9,30 @@ namespace AnatomyCarve
     {
         string usedText = "";
         TextAsset usedFile;
+        string usedFileText;
+        int imports;
 
         /// <summary>Whether a volume would start with something else than it did the last time.</summary>
-        public bool Differs(string text, TextAsset file) => text != usedText || file != usedFile;
+        public bool Differs(string text, TextAsset file)
+        {
+            if (text != usedText || file != usedFile)
+                return true;
+            if (imports == EditorLink.Imports)
+                return false;
+            imports = EditorLink.Imports;
+            return TextOf(file) != usedFileText;
+        }
 
         /// <summary>Takes note that the present carving is what a volume would start with.</summary>
         public void SetUsed(string text, TextAsset file)
         {
             usedText = text;
             usedFile = file;
+            usedFileText = TextOf(file);
+            imports = EditorLink.Imports;
         }
+
+        static string TextOf(TextAsset file) => file != null ? file.text : null;
 
         /// <summary>The carving of a volume; null where there is no volume. What is odd in it is logged; what cannot be read counts as nothing.</summary>
         /// <param name="document">What it was read from; null = nothing.</param>

@@ -2,13 +2,16 @@ using System;
 
 namespace AnatomyCarve
 {
-    /// <summary>What a loader is to load by itself.</summary>
+    /// <summary>What a loader is to load by itself. An asset that was imported anew is another one.</summary>
     readonly struct StartSource : IEquatable<StartSource>
     {
+        readonly long checksum;
+
         public StartSource(VolumeAsset asset, string intensityPath, string labelsPath, bool wanted)
         {
             IsSet = true;
             Asset = wanted ? asset : null;
+            checksum = Asset != null ? Asset.Checksum : 0;
             IntensityPath = wanted ? intensityPath : "";
             LabelsPath = wanted ? labelsPath : "";
         }
@@ -27,7 +30,7 @@ namespace AnatomyCarve
         public bool HasSource => Asset != null || IntensityPath.Length > 0;
 
         public bool Equals(StartSource other) =>
-            IsSet == other.IsSet && Asset == other.Asset && IntensityPath == other.IntensityPath && LabelsPath == other.LabelsPath;
+            IsSet == other.IsSet && Asset == other.Asset && checksum == other.checksum && IntensityPath == other.IntensityPath && LabelsPath == other.LabelsPath;
 
         public override bool Equals(object obj) => obj is StartSource other && Equals(other);
 

@@ -18,6 +18,9 @@ namespace AnatomyCarve
         [SerializeField, Tooltip("The packed volume's bytes")]
         TextAsset data;
 
+        [SerializeField, HideInInspector, Tooltip("A checksum of these bytes")]
+        long checksum;
+
         [SerializeField, Tooltip("A picture of the volume from the patient's front, left and above")]
         Texture2D thumbnail;
 
@@ -59,6 +62,9 @@ namespace AnatomyCarve
 
         /// <summary>The packed volume's bytes (<see cref="PackedVolume"/>).</summary>
         public TextAsset Data => data;
+
+        /// <summary>A checksum of the packed volume: another one when the file was imported anew with other voxels or settings.</summary>
+        internal long Checksum => checksum;
 
         /// <summary>A picture of the volume from the patient's front, left and above: sRGB, transparent behind it.</summary>
         public Texture2D Thumbnail => thumbnail;
@@ -125,6 +131,7 @@ namespace AnatomyCarve
         {
             var asset = CreateInstance<VolumeAsset>();
             asset.data = new TextAsset(packed) { name = "data" };
+            asset.checksum = (long)PackedVolume.Checksum(packed);
             asset.thumbnail = Picture(picture);
             VolumeGeometry g = volume.Geometry;
             asset.size = new Vector3Int(g.SizeI, g.SizeJ, g.SizeK);
@@ -139,15 +146,16 @@ namespace AnatomyCarve
         }
 
         /// <summary>
-        /// The packed bytes, without a copy. Call it on the main thread; <see cref="PackedVolume.Read(ReadOnlyMemory{byte}, string,
-        /// System.Threading.CancellationToken, IProgress{float})"/> may then read them on any. The asset must not be destroyed or unloaded before that is over.
+        /// A copy of the packed bytes. Call it on the main thread; <see cref="PackedVolume.Read(ReadOnlyMemory{byte}, string,
+        /// System.Threading.CancellationToken, IProgress{float})"/> may then read them on any. It is a copy because the engine frees an asset's own bytes
+        /// when it unloads or imports it anew, whoever reads them.
         /// </summary>
         /// <exception cref="AnatomyCarveException">The asset holds no bytes.</exception>
         internal ReadOnlyMemory<byte> Open()
         {
             if (data == null)
                 throw new AnatomyCarveException($"{name}: the asset holds no volume. Import its file anew.");
-            return new NativeBytes(data.GetData<byte>()).Memory;
+            return data.bytes;
         }
 
         // The fields may be another import's.
@@ -159,16 +167,8 @@ namespace AnatomyCarve
         {
             if (!ownsParts)
                 return;
-            Release(data);
-            Release(thumbnail);
-        }
-
-        static void Release(UnityEngine.Object part)
-        {
-            if (Application.isPlaying)
-                Destroy(part);
-            else
-                DestroyImmediate(part);
+            GpuObjects.Destroy(data);
+            GpuObjects.Destroy(thumbnail);
         }
 
         static Texture2D Picture(byte[] rgba)

@@ -1,3 +1,4 @@
+using AnatomyCarve.Volumes;
 using UnityEngine;
 
 namespace AnatomyCarve
@@ -39,6 +40,14 @@ namespace AnatomyCarve
 
         /// <summary>Shader <c>AnatomyCarve/Carved Volume</c>: the volume in a camera's own picture.</summary>
         public Shader CarvedVolume => carvedVolume;
+
+        /// <summary>Loads the package's asset.</summary>
+        /// <exception cref="AnatomyCarveException">It is not part of the build.</exception>
+        internal static AnatomyCarveShaders LoadOrThrow()
+        {
+            AnatomyCarveShaders shaders = Load();
+            return shaders != null ? shaders : throw new AnatomyCarveException("Runtime/Resources/AnatomyCarveShaders.asset is missing in this build.");
+        }
 
         /// <summary>Loads the package's asset.</summary>
         /// <returns>The asset; null where it is not part of the build.</returns>

@@ -83,6 +83,8 @@ namespace AnatomyCarve
                 return "There is no graphics device (the process runs with -nographics).";
             if (SystemInfo.graphicsDeviceType == GraphicsDeviceType.OpenGLES3)
                 return "OpenGL ES is not supported: it can write few texture formats. Use Vulkan (Project Settings > Player > Graphics APIs).";
+            if (SystemInfo.graphicsDeviceType == GraphicsDeviceType.OpenGLCore)
+                return "OpenGL is not supported: the shaders are not made for it. Use Vulkan, Direct3D or Metal (Project Settings > Player > Graphics APIs).";
             if (!SystemInfo.supportsComputeShaders)
                 return $"{SystemInfo.graphicsDeviceType} on {SystemInfo.graphicsDeviceName} has no compute shaders.";
             return null;

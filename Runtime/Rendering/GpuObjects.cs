@@ -65,14 +65,14 @@ namespace AnatomyCarve
                     + $"({texture.width} x {texture.height} x {texture.volumeDepth}, {texture.graphicsFormat}).");
         }
 
-        /// <summary>Destroys in play mode and in edit mode; null and destroyed objects are fine.</summary>
+        /// <summary>Destroys in Play, while it is paused, and in edit mode; null and destroyed objects are fine.</summary>
         public static void Destroy(Object made)
         {
             if (made == null)
                 return;
             if (made is RenderTexture texture)
                 texture.Release();
-            if (Application.isPlaying)
+            if (Application.isPlaying && !EditorLink.IsPaused)
                 Object.Destroy(made);
             else
                 Object.DestroyImmediate(made);

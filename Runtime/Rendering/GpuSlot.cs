@@ -1,37 +1,41 @@
+using System;
 using AnatomyCarve.Volumes;
 using UnityEngine;
+using UnityEngine.Rendering;
+using Object = UnityEngine.Object;
 
 namespace AnatomyCarve
 {
     /// <summary>
-    /// A renderer's place for one volume on the GPU. What the device or the render pipeline refuses is said once; a volume that was refused is not tried
-    /// again before it was released.
+    /// A renderer's place for one volume: on the GPU, and in cameras. What the device or the render pipeline refuses is said once; a volume that was refused
+    /// is not tried again before it was released.
     /// </summary>
     sealed class GpuSlot
     {
+        readonly Object owner;
         SegmentedVolume refused;
         TextureLayout layout;
-        string volumeProblem, drawingProblem, pictureProblem;
+        VolumeDrawing drawing;
+        RenderPipelineAsset pipeline;
+        bool isPipelineKnown;
+        string volumeProblem, pipelineProblem, drawingProblem, pictureProblem;
 
-        public GpuSlot(RenderStatistics statistics) => Statistics = statistics;
+        /// <param name="owner">Who says what is refused.</param>
+        public GpuSlot(Object owner) => this.owner = owner;
 
-        public RenderStatistics Statistics { get; }
+        public RenderStatistics Statistics { get; } = new RenderStatistics();
 
-        /// <summary>What is there; null = nothing.</summary>
+        /// <summary>What is on the GPU; null = nothing.</summary>
         public VolumeGpu Gpu { get; private set; }
 
         /// <summary>Why the volume, or some way of showing it, is refused, as a sentence; null = all is well as far as it was tried.</summary>
-        public string Problem => volumeProblem ?? drawingProblem ?? pictureProblem;
+        public string Problem => volumeProblem ?? pipelineProblem ?? drawingProblem ?? pictureProblem;
 
-        /// <summary>Puts a volume there, unless it is there already, and brings it up to date; another one goes.</summary>
+        /// <summary>Puts a volume on the GPU, unless it is there already, and brings it up to date; another one goes.</summary>
         /// <returns>Null where there is no volume or the device cannot.</returns>
-        public VolumeGpu Update(in VolumeInputs inputs, TextureLayout wanted, Object owner)
+        public VolumeGpu Update(in VolumeInputs inputs, TextureLayout wanted)
         {
-            KeepOnly(inputs.Volume);
-            if (wanted != layout)
-                Release();
-            layout = wanted;
-            if (inputs.Volume == null || inputs.Volume == refused)
+            if (!IsPossible(inputs.Volume, wanted))
                 return null;
             try
             {
@@ -39,18 +43,16 @@ namespace AnatomyCarve
                 Gpu.Update(inputs);
                 return Gpu;
             }
-            catch (AnatomyCarveException e)
+            catch (Exception e) when (IsRefusal(e))
             {
-                Release();
-                refused = inputs.Volume;
-                Say(ref volumeProblem, $"This volume cannot be shown. {e.Message}", owner);
+                Refuse(inputs.Volume, Sentence(e));
                 return null;
             }
         }
 
         /// <summary>Renders into a picture.</summary>
         /// <returns>Null where the device cannot.</returns>
-        public CarvedPicture Render(in VolumeInputs inputs, in PictureRayBundle rays, bool countSamples, CarvedPicture picture, Object owner)
+        public CarvedPicture Render(in VolumeInputs inputs, in PictureRayBundle rays, bool countSamples, CarvedPicture picture)
         {
             string problem = DeviceSupport.MissingForPictures();
             if (problem == null)
@@ -65,35 +67,48 @@ namespace AnatomyCarve
                     problem = e.Message;
                 }
             }
-            Say(ref pictureProblem, $"This volume cannot be rendered into a picture. {problem}", owner);
+            Say(ref pictureProblem, $"This volume cannot be rendered into a picture. {problem}");
             return null;
         }
 
-        /// <summary>Has cameras draw the volume, if the render pipeline allows it.</summary>
-        public void ShowOn(MeshFilter filter, MeshRenderer renderer, in VolumeInputs inputs, Object owner)
+        /// <summary>
+        /// Gives a mesh renderer the volume's box and material, if the render pipeline and the device draw volumes. Nothing goes to the GPU yet.
+        /// </summary>
+        /// <returns>Whether cameras can draw it.</returns>
+        public bool Place(MeshFilter filter, MeshRenderer renderer, SegmentedVolume volume, TextureLayout wanted)
         {
-            string problem = RenderPipelines.Problem();
-            if (problem == null)
+            if (!IsPipelineSupported() || !IsPossible(volume, wanted) || drawingProblem != null)
+                return false;
+            if (drawing == null)
             {
-                try
+                string problem = DeviceSupport.Missing(volume.Geometry, DeviceSupport.Choose(layout));
+                if (problem != null)
                 {
-                    Gpu.ShowOn(filter, renderer, inputs);
-                    drawingProblem = null;
-                    return;
-                }
-                catch (AnatomyCarveException e)
-                {
-                    problem = e.Message;
+                    Refuse(volume, problem);
+                    return false;
                 }
             }
-            VolumeDrawing.Clear(filter, renderer);
-            Say(ref drawingProblem, $"This volume cannot be drawn by cameras. {problem}", owner);
+            try
+            {
+                drawing ??= new VolumeDrawing(AnatomyCarveShaders.LoadOrThrow(), volume.Geometry);
+                drawing.Place(filter, renderer);
+                return true;
+            }
+            catch (Exception e) when (IsRefusal(e))
+            {
+                Say(ref drawingProblem, $"This volume cannot be drawn by cameras. {Sentence(e)}");
+                return false;
+            }
         }
+
+        /// <summary>Has cameras draw the volume as it is on the GPU. It was placed before.</summary>
+        public void Bind(in VolumeInputs inputs) => Gpu.Bind(drawing, inputs.Quality, inputs.Light);
 
         /// <summary>Lets go of every other volume.</summary>
         public void KeepOnly(SegmentedVolume volume)
         {
-            if ((Gpu != null && Gpu.Volume != volume) || (refused != null && refused != volume))
+            if ((Gpu != null && Gpu.Volume != volume) || (refused != null && refused != volume)
+                || (drawing != null && drawing.Geometry != volume?.Geometry))
                 Release();
         }
 
@@ -101,11 +116,53 @@ namespace AnatomyCarve
         {
             Gpu?.Dispose();
             Gpu = null;
+            drawing?.Dispose();
+            drawing = null;
             refused = null;
-            volumeProblem = drawingProblem = pictureProblem = null;
+            pipeline = null;
+            isPipelineKnown = false;
+            volumeProblem = pipelineProblem = drawingProblem = pictureProblem = null;
         }
 
-        static void Say(ref string said, string problem, Object owner)
+        /// <summary>What a device that cannot answers with.</summary>
+        static bool IsRefusal(Exception e) =>
+            e is AnatomyCarveException || e is ArgumentException || e is UnityException || e is OutOfMemoryException;
+
+        static string Sentence(Exception e) => e is AnatomyCarveException ? e.Message : $"The device could not take it: {e.Message}";
+
+        bool IsPossible(SegmentedVolume volume, TextureLayout wanted)
+        {
+            KeepOnly(volume);
+            if (wanted != layout)
+                Release();
+            layout = wanted;
+            return volume != null && volume != refused;
+        }
+
+        bool IsPipelineSupported()
+        {
+            RenderPipelineAsset present = GraphicsSettings.currentRenderPipeline;
+            if (!isPipelineKnown || present != pipeline)
+            {
+                isPipelineKnown = true;
+                pipeline = present;
+                string problem = RenderPipelines.Problem(present);
+                if (problem == null)
+                    pipelineProblem = null;
+                else
+                    Say(ref pipelineProblem, $"This volume cannot be drawn by cameras. {problem}");
+            }
+            return pipelineProblem == null;
+        }
+
+        void Refuse(SegmentedVolume volume, string problem)
+        {
+            Release();
+            refused = volume;
+            Say(ref volumeProblem, $"This volume cannot be shown. {problem}");
+        }
+
+        void Say(ref string said, string problem)
         {
             if (said == problem)
                 return;

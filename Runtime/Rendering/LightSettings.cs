@@ -7,8 +7,10 @@ namespace AnatomyCarve
     [Serializable]
     public sealed class LightSettings
     {
+        static readonly Vector3 DefaultDirection = new Vector3(-0.3f, 0.4f, 1f);
+
         [SerializeField, Tooltip("Where the light comes from: x right, y up, z towards the viewer")]
-        Vector3 direction = new Vector3(-0.3f, 0.4f, 1f);
+        Vector3 direction = DefaultDirection;
 
         [SerializeField, Tooltip("The light's colour")]
         Color color = Color.white;
@@ -32,8 +34,7 @@ namespace AnatomyCarve
             get => direction;
             set
             {
-                float length = value.magnitude;
-                if (!(length > 0f && length < float.PositiveInfinity))
+                if (!IsDirection(value))
                     throw new ArgumentOutOfRangeException(nameof(Direction), value, "A light's direction is finite and not zero.");
                 direction = value;
             }
@@ -89,14 +90,32 @@ namespace AnatomyCarve
         /// <summary>The row <c>_Shading</c>.</summary>
         internal Vector4 Shading => new Vector4(ambient, diffuse, specular, shininess);
 
+        /// <summary>The direction at length 1, whatever its own length: in float the squares of small numbers are 0.</summary>
+        internal Vector3 UnitDirection
+        {
+            get
+            {
+                double length = Length(direction);
+                return new Vector3((float)(direction.x / length), (float)(direction.y / length), (float)(direction.z / length));
+            }
+        }
+
         internal void Clamp()
         {
-            if (!(direction.magnitude > 0f))
-                direction = Vector3.forward;
+            if (!IsDirection(direction))
+                direction = DefaultDirection;
             ambient = Mathf.Clamp01(ambient);
             diffuse = Mathf.Clamp01(diffuse);
             specular = Mathf.Clamp01(specular);
             shininess = Mathf.Clamp(shininess, 1f, 256f);
         }
+
+        static bool IsDirection(Vector3 v)
+        {
+            double length = Length(v);
+            return length > 0 && !double.IsInfinity(length);
+        }
+
+        static double Length(Vector3 v) => Math.Sqrt((double)v.x * v.x + (double)v.y * v.y + (double)v.z * v.z);
     }
 }

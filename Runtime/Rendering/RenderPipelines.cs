@@ -7,10 +7,10 @@ namespace AnatomyCarve
     {
         const string Universal = "UniversalPipeline";
 
-        /// <summary>Why the present pipeline does not draw volumes, as a sentence; null where it does.</summary>
-        public static string Problem()
+        /// <summary>Why a pipeline does not draw volumes, as a sentence; null where it does.</summary>
+        /// <param name="pipeline">Null = the Built-in one.</param>
+        public static string Problem(RenderPipelineAsset pipeline)
         {
-            RenderPipelineAsset pipeline = GraphicsSettings.currentRenderPipeline;
             if (pipeline == null || pipeline.renderPipelineShaderTag == Universal)
                 return null;
             return $"{pipeline.GetType().Name} is not supported: use the Universal or the Built-in Render Pipeline "

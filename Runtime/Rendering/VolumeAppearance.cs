@@ -24,6 +24,8 @@ namespace AnatomyCarve
 
         [NonSerialized] OpacityTransferFunction function;
         [NonSerialized] SegmentTable applied, appliedTo;
+        [NonSerialized] TransferFunctionPoint[] functionsPoints = Array.Empty<TransferFunctionPoint>();
+        [NonSerialized] SegmentAppearance[] appliedSegments = Array.Empty<SegmentAppearance>();
 
         /// <summary>Opacity by intensity; null = chosen from each volume's intensities.</summary>
         public OpacityTransferFunction TransferFunction
@@ -32,7 +34,12 @@ namespace AnatomyCarve
             {
                 if (!customTransferFunction || transferFunction.Count == 0)
                     return null;
-                return function ??= new OpacityTransferFunction(transferFunction.Select(p => new TransferPoint(p.value, p.opacity)));
+                if (function == null)
+                {
+                    functionsPoints = transferFunction.ToArray();
+                    function = new OpacityTransferFunction(functionsPoints.Select(p => new TransferPoint(p.value, p.opacity)));
+                }
+                return function;
             }
             set
             {
@@ -42,6 +49,7 @@ namespace AnatomyCarve
                     foreach (TransferPoint point in value.Points)
                         transferFunction.Add(new TransferFunctionPoint { value = (float)point.Value, opacity = (float)point.Opacity });
                 function = value;
+                functionsPoints = transferFunction.ToArray();
             }
         }
 
@@ -83,16 +91,22 @@ namespace AnatomyCarve
             if (appliedTo != table || applied == null)
             {
                 appliedTo = table;
+                appliedSegments = segments.ToArray();
                 applied = table.With(segments.Select(s => (s.Label, ToSegmentColor(s.Color), s.Opacity)));
             }
             return applied;
         }
 
-        /// <summary>Called when fields were changed from outside, by the Inspector or by undo.</summary>
+        /// <summary>
+        /// Called when fields may have been changed from outside, by the Inspector or by undo. What did not change stays the same object: another one would
+        /// have the whole volume computed anew.
+        /// </summary>
         internal void Invalidate()
         {
-            function = null;
-            applied = appliedTo = null;
+            if (!transferFunction.SequenceEqual(functionsPoints))
+                function = null;
+            if (!segments.SequenceEqual(appliedSegments))
+                applied = appliedTo = null;
         }
 
         internal void Clamp()

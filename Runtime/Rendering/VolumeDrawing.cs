@@ -11,21 +11,19 @@ namespace AnatomyCarve
     /// </summary>
     sealed class VolumeDrawing : IDisposable
     {
-        const int NothingBound = -1;
-
         readonly Shader shader;
-        readonly CarvePipeline pipeline;
         Mesh box;
         Material material;
+        object boundTo; // a pipeline's identity
         int boundVersion;
         Vector4 march, shading;
         Vector3 lightDirection;
         Color lightColor;
 
         /// <exception cref="AnatomyCarveException">The shader is missing, or the device cannot run it.</exception>
-        public VolumeDrawing(AnatomyCarveShaders shaders, CarvePipeline pipeline)
+        public VolumeDrawing(AnatomyCarveShaders shaders, VolumeGeometry geometry)
         {
-            this.pipeline = pipeline;
+            Geometry = geometry;
             shader = shaders.CarvedVolume;
             if (shader == null)
                 throw new AnatomyCarveException("The shader CarvedVolume is missing in AnatomyCarveShaders.asset: reimport the package.");
@@ -34,14 +32,19 @@ namespace AnatomyCarve
                     $"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) cannot run the shader {shader.name}.");
         }
 
-        /// <summary>Has cameras draw the volume as it is now.</summary>
-        public void ShowOn(MeshFilter filter, MeshRenderer renderer, in VolumeInputs inputs)
+        /// <summary>The grid whose box it is.</summary>
+        public VolumeGeometry Geometry { get; }
+
+        /// <summary>Puts box and material on a mesh renderer. Before values are bound nothing is seen.</summary>
+        public void Place(MeshFilter filter, MeshRenderer renderer)
         {
             if (box == null)
-                box = VolumeBox.MakeMesh(inputs.Volume.Geometry);
+                box = VolumeBox.MakeMesh(Geometry);
             if (material == null)
-                MakeMaterial();
-            Bind(inputs.Quality, inputs.Light);
+            {
+                material = new Material(shader) { name = "AnatomyCarve volume", hideFlags = HideFlags.HideAndDontSave };
+                boundTo = null;
+            }
             if (filter.sharedMesh != box)
                 filter.sharedMesh = box;
             if (renderer.sharedMaterial != material)
@@ -65,25 +68,20 @@ namespace AnatomyCarve
             material = null;
         }
 
-        void MakeMaterial()
-        {
-            material = new Material(shader) { name = "AnatomyCarve volume", hideFlags = HideFlags.HideAndDontSave };
-            material.SetKeyword(new LocalKeyword(shader, ShaderIds.PortableLayout), pipeline.Layout == TextureLayout.Portable);
-            boundVersion = NothingBound;
-        }
-
         /// <summary>Sets the material's values, if any has changed.</summary>
-        void Bind(RenderQuality quality, LightSettings light)
+        public void Bind(CarvePipeline pipeline, RenderQuality quality, LightSettings light)
         {
-            if (boundVersion == pipeline.Version && march == quality.March && shading == light.Shading && lightDirection == light.Direction
+            if (boundTo == pipeline.Identity && boundVersion == pipeline.Version && march == quality.March && shading == light.Shading && lightDirection == light.Direction
                 && lightColor == light.Color)
                 return;
+            if (boundTo != pipeline.Identity)
+                material.SetKeyword(new LocalKeyword(shader, ShaderIds.PortableLayout), pipeline.Layout == TextureLayout.Portable);
             var values = new MaterialValues(material);
             pipeline.BindForRays(values);
             light.Bind(values);
-            Vector3 towardsLight = light.Direction.normalized;
             values.SetVector(ShaderIds.March, quality.March);
-            values.SetVector(ShaderIds.LightDirection, towardsLight);
+            values.SetVector(ShaderIds.LightDirection, light.UnitDirection);
+            boundTo = pipeline.Identity;
             boundVersion = pipeline.Version;
             march = quality.March;
             shading = light.Shading;

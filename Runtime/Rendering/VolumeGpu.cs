@@ -12,7 +12,6 @@ namespace AnatomyCarve
         readonly CarvePipeline pipeline;
         readonly RenderStatistics statistics;
         Raymarcher raymarcher;
-        VolumeDrawing drawing;
 
         VolumeGpu(SegmentedVolume volume, AnatomyCarveShaders shaders, TextureLayout layout, RenderStatistics statistics)
         {
@@ -38,17 +37,7 @@ namespace AnatomyCarve
             string problem = DeviceSupport.Missing(volume.Geometry, layout);
             if (problem != null)
                 throw new AnatomyCarveException(problem);
-            AnatomyCarveShaders shaders = AnatomyCarveShaders.Load();
-            if (shaders == null)
-                throw new AnatomyCarveException("Runtime/Resources/AnatomyCarveShaders.asset is missing in this build.");
-            try
-            {
-                return new VolumeGpu(volume, shaders, layout, statistics);
-            }
-            catch (Exception e) when (e is ArgumentException || e is UnityException || e is OutOfMemoryException)
-            {
-                throw new AnatomyCarveException($"The device could not take it: {e.Message}", e);
-            }
+            return new VolumeGpu(volume, AnatomyCarveShaders.LoadOrThrow(), layout, statistics);
         }
 
         /// <summary>Recomputes what changed.</summary>
@@ -63,12 +52,8 @@ namespace AnatomyCarve
             raymarcher.Render(pipeline, rays, quality, light, countSamples, picture);
         }
 
-        /// <exception cref="AnatomyCarveException">The device cannot run the shader.</exception>
-        public void ShowOn(MeshFilter filter, MeshRenderer renderer, in VolumeInputs inputs)
-        {
-            drawing ??= new VolumeDrawing(shaders, pipeline);
-            drawing.ShowOn(filter, renderer, inputs);
-        }
+        /// <summary>Gives cameras' drawing the volume as it is here.</summary>
+        public void Bind(VolumeDrawing drawing, RenderQuality quality, LightSettings light) => drawing.Bind(pipeline, quality, light);
 
         public void AddSizes(List<ResourceSize> sizes)
         {
@@ -80,7 +65,6 @@ namespace AnatomyCarve
         {
             pipeline.Dispose();
             raymarcher?.Dispose();
-            drawing?.Dispose();
             Pictures.Dispose();
             statistics.Source = null;
         }

@@ -6,7 +6,7 @@ namespace AnatomyCarve
     /// <summary>A renderer's segment table for the present volume: the one that a script set, or else what the appearance makes of the volume's.</summary>
     sealed class VolumeSettings
     {
-        SegmentedVolume setFor;
+        readonly WeakReference<SegmentedVolume> setFor = new WeakReference<SegmentedVolume>(null); // a volume is large: none is held that is not shown
         SegmentTable set;
 
         /// <summary>The table for a volume. The one that was set for another volume is forgotten, and that volume with it.</summary>
@@ -24,15 +24,15 @@ namespace AnatomyCarve
             if (table != null && table.Count != volume.Segments.Count)
                 throw new ArgumentException($"The table has {table.Count} segments, the volume has {volume.Segments.Count}.", nameof(table));
             set = table;
-            setFor = volume;
+            setFor.SetTarget(volume);
         }
 
         public void KeepOnly(SegmentedVolume volume)
         {
-            if (setFor == volume)
+            if (set == null || (setFor.TryGetTarget(out SegmentedVolume known) && known == volume))
                 return;
             set = null;
-            setFor = null;
+            setFor.SetTarget(null);
         }
     }
 }

@@ -34,7 +34,7 @@ namespace AnatomyCarve.Editor
             edit(stack.Carving);
             stack.KeepAsStart();
             PrefabUtility.RecordPrefabInstancePropertyModifications(stack);
-            EditorRefresh.Request();
+            EditorLink.RequestRefresh();
         }
     }
 }

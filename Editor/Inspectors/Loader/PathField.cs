@@ -24,6 +24,7 @@ namespace AnatomyCarve.Editor
             {
                 path.stringValue = FilePaths.RelativeTo(chosen, Application.streamingAssetsPath);
                 path.serializedObject.ApplyModifiedProperties();
+                EditorViews.Refresh(); // the Inspector's own end is not reached
             }
             GUIUtility.ExitGUI(); // the window that was shown meanwhile had events of its own
         }

@@ -72,7 +72,7 @@ namespace UnityEngine
             get { MainThread.Check("get_temporaryCachePath"); return Existing(s_Paths.TemporaryCache); }
         }
 
-        /// <summary>Cancelled when the player ends.</summary>
+        /// <summary>Cancelled when the player ends; in edit mode that of the Play before, which has ended.</summary>
         public static CancellationToken exitCancellationToken => s_Exit.Token;
 
         /// <summary>Whether this is the Editor, not playing.</summary>
@@ -113,6 +113,8 @@ namespace UnityEngine
             s_Paths = paths;
             InEditMode = inEditMode;
             s_Exit = new CancellationTokenSource();
+            if (inEditMode)
+                s_Exit.Cancel();
             QuitRequested = false;
             ExitCode = 0;
         }

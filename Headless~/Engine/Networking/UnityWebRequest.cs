@@ -76,7 +76,7 @@ namespace UnityEngine.Networking
 
         public static UnityWebRequest Get(Uri uri) => Get((uri ?? throw new ArgumentNullException(nameof(uri))).OriginalString);
 
-        /// <exception cref="InvalidOperationException">It was sent before.</exception>
+        /// <exception cref="InvalidOperationException">It was sent before, or the address is one of http:// on another machine, as projects have it.</exception>
         public UnityWebRequestAsyncOperation SendWebRequest()
         {
             MainThread.Check("SendWebRequest");
@@ -84,6 +84,8 @@ namespace UnityEngine.Networking
                 throw new InvalidOperationException("UnityWebRequest has been disposed");
             if (m_Operation != null)
                 throw new InvalidOperationException("UnityWebRequest has already been sent; cannot begin sending the request again");
+            if (url.StartsWith("http://", StringComparison.OrdinalIgnoreCase) && !new Uri(url).IsLoopback)
+                throw new InvalidOperationException("Insecure connection not allowed");
             m_Transfer = new Transfer(url, downloadHandler, m_Abort.Token);
             m_Operation = new UnityWebRequestAsyncOperation(this);
             m_Transfer.Begin();

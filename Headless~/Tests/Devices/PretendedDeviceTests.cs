@@ -12,6 +12,7 @@ namespace AnatomyCarve.Headless.Tests.Devices
         readonly List<string> errors = [];
 
         [TestCase(GraphicsDeviceType.OpenGLES3, true, "OpenGL ES")]
+        [TestCase(GraphicsDeviceType.OpenGLCore, true, "OpenGL is not supported")]
         [TestCase(GraphicsDeviceType.Null, false, "no graphics device")]
         [TestCase(GraphicsDeviceType.Direct3D11, false, "no compute shaders")]
         public void Draw_OnADeviceThatCannot_SaysWhyOnce(GraphicsDeviceType type, bool computeShaders, string expected)

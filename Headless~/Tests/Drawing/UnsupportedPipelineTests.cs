@@ -20,6 +20,8 @@ namespace AnatomyCarve.Headless.Tests.Drawing
             Assert.That(drawn.Errors, Has.Count.EqualTo(1));
             Assert.That(drawn.Errors[0], Does.Contain("not supported").And.Contain("Universal").And.Contain("Render"));
             Assert.That(drawn.Renderer.Problem, Does.Contain("not supported"));
+            Assert.That(drawn.Renderer.Statistics.VolumeDispatches, Is.Zero, "nobody draws it, so nothing is computed");
+            Assert.That(drawn.Renderer.Statistics.BytesResident, Is.Zero, "nor taken to the GPU");
             Assert.That(drawn.Kernel(0).Segments, Has.Some.LessThan(PictureData.NoSegment));
         }
 

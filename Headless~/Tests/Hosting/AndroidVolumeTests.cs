@@ -26,6 +26,8 @@ namespace AnatomyCarve.Headless.Tests.Hosting
             {
                 Write(package, "assets/head scans/ct.nrrd", Nrrd(1000));
                 Write(package, "assets/head scans/labels.nrrd", Nrrd(3));
+                Write(package, "assets/patient/image.nrrd", Nrrd(700));
+                Write(package, "assets/patient/labels/image.nrrd", Nrrd(3));
                 Write(package, "assets/broken.nrrd", [1, 2, 3]);
             }
             errors = [];
@@ -87,6 +89,34 @@ namespace AnatomyCarve.Headless.Tests.Hosting
             Assert.Throws(Is.InstanceOf<OperationCanceledException>(), () => Finish(load));
             Assert.That(Copies(), Is.Empty);
             Assert.That(errors, Is.Empty);
+        }
+
+        [Test]
+        public void Files_OfOneNameInTwoFolders_AreBothRead()
+        {
+            SegmentedVolume volume = Finish(loader.LoadAsync("patient/image.nrrd", "patient/labels/image.nrrd"));
+            Assert.That(volume.Intensity.ValueMax, Is.EqualTo(700));
+            Assert.That(volume.Segments.Count, Is.EqualTo(2), "unlabelled, and the label 3");
+            Assert.That(Copies(), Is.Empty);
+        }
+
+        [Test]
+        public void Address_ThatIsNotSecure_IsRefusedWithWhatToDo()
+        {
+            var problem = Assert.Throws<AnatomyCarveException>(() => Finish(loader.LoadAsync("http://hospital.example/ct.nrrd")));
+            Assert.That(problem.Message, Does.Contain("http://hospital.example/ct.nrrd").And.Contain("https://"));
+            Assert.That(Copies(), Is.Empty);
+        }
+
+        [Test]
+        public void Copies_ThatAProcessLeftLongAgo_AreRemoved()
+        {
+            string old = Directory.CreateDirectory(Path.Combine(Application.temporaryCachePath, "anatomycarve-old")).FullName;
+            string young = Directory.CreateDirectory(Path.Combine(Application.temporaryCachePath, "anatomycarve-young")).FullName;
+            Directory.SetLastWriteTimeUtc(old, DateTime.UtcNow.AddDays(-2));
+            Finish(loader.LoadAsync("head scans/ct.nrrd"));
+            Assert.That(Copies(), Is.EqualTo(new[] { young }), "the young one may be of a load that runs");
+            Directory.Delete(young);
         }
 
         SegmentedVolume Finish(Task<SegmentedVolume> load)

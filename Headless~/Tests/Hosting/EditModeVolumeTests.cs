@@ -1,8 +1,10 @@
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using System.Reflection;
 using AnatomyCarve.Headless.Tests.Layout;
 using NUnit.Framework;
+using AnatomyCarve.Volumes;
 using UnityEngine;
 
 namespace AnatomyCarve.Headless.Tests.Hosting
@@ -95,6 +97,45 @@ namespace AnatomyCarve.Headless.Tests.Hosting
         }
 
         [Test]
+        public void Asset_ImportedAnew_IsLoadedAnew()
+        {
+            SegmentedVolume before = Head.Volume;
+            host.Step();
+            Assert.That(Head.Volume, Is.SameAs(before), "the same asset is the same volume");
+            VolumeAsset asset = Head.Loader.Asset;
+            host.SetSerializedField(asset, "checksum", 4711L); // what another file's import would leave there
+            Assert.That(host.RunUntil(() => Head.Volume != null && Head.Volume != before, PatienceFrames), Is.True);
+            Assert.That(Head.Loader.Asset, Is.SameAs(asset));
+        }
+
+        [Test]
+        public void Inspector_ChangesThatDoNotTouchTheLooks_ComputeNothing()
+        {
+            Draw();
+            int dispatches = Head.Statistics.VolumeDispatches;
+            host.SetSerializedField(Head, "shading.ambient", 0.4f);
+            host.SetSerializedField(Head, "quality.step", 0.7f);
+            Draw();
+            Assert.That(Head.Statistics.VolumeDispatches, Is.EqualTo(dispatches), "light and step are the rays' alone");
+            host.SetSerializedField(Head, "quality.antiAliasing", 0.5f);
+            Draw();
+            Assert.That(Head.Statistics.VolumeDispatches, Is.GreaterThan(dispatches));
+        }
+
+        [Test]
+        public void Components_ThatAreFoundBeside_AreNotWrittenIntoTheScene()
+        {
+            var volume = new GameObject("Volume", typeof(VolumeLoader), typeof(ClipSphereStack), typeof(CarvedVolumeRenderer), typeof(SegmentPointer));
+            var renderer = volume.GetComponent<CarvedVolumeRenderer>();
+            var pointer = volume.GetComponent<SegmentPointer>();
+            Assert.That((renderer.Loader, renderer.Stack.Loader), Is.EqualTo((volume.GetComponent<VolumeLoader>(), volume.GetComponent<VolumeLoader>())));
+            Assert.That(pointer.Target, Is.SameAs(renderer));
+            Assert.That((Saved(renderer, "loader"), Saved(renderer, "stack"), Saved(renderer.Stack, "loader"), Saved(pointer, "target")),
+                Is.EqualTo(((object)null, (object)null, (object)null, (object)null)));
+            Object.DestroyImmediate(volume);
+        }
+
+        [Test]
         public void Inspector_ChangesOfTheLooks_AreShown()
         {
             int before = DrawnPixels();
@@ -107,6 +148,9 @@ namespace AnatomyCarve.Headless.Tests.Hosting
             host.SetSerializedField(Head, "appearance.customTransferFunction", true);
             Assert.That(DrawnPixels(), Is.EqualTo(before));
         }
+
+        static object Saved(Component component, string field) =>
+            component.GetType().GetField(field, BindingFlags.Instance | BindingFlags.NonPublic).GetValue(component);
 
         static Camera Camera => Object.FindFirstObjectByType<Camera>();
 

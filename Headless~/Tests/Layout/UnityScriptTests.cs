@@ -20,13 +20,16 @@ namespace AnatomyCarve.Headless.Tests.Layout
                 #!/bin/bash
                 printf '%s\n' "$*" >> "$(dirname "$0")/calls"
                 while (($# > 0)); do
-                    [[ "$1" == -testResults ]] && printf '<test-run id="2" result="Passed" total="5" passed="4" failed="1" skipped="0">\n<test-case id="7" fullname="A.B" result="Failed">\n' > "$2"
+                    [[ "$1" == -projectPath && ! -e "$2/ProjectSettings/ProjectSettings.asset" ]] && printf '  m_ActiveColorSpace: 0\n  activeInputHandler: 0\n' > "$2/ProjectSettings/ProjectSettings.asset"
+                    [[ "$1" == -testResults ]] && printf '<test-run id="2" result="Passed" total="5" passed="'"$(cat "$(dirname "$0")/passed")"'" failed="'"$(cat "$(dirname "$0")/failed")"'" skipped="0">\n<test-case id="7" fullname="A.B" result="Failed">\n' > "$2"
                     [[ "$1" == -executeMethod && "$2" == *Screenshots ]] && exit "$(cat "$(dirname "$0")/pictures")"
                     shift
                 done
                 """);
             ProcessResult.Of("chmod", ["+x", Full("Unity")]);
             Write("pictures", "0");
+            Write("passed", "4");
+            Write("failed", "1");
         }
 
         [TearDown]
@@ -39,12 +42,13 @@ namespace AnatomyCarve.Headless.Tests.Layout
             Assert.That(result.Output.TrimEnd().Split('\n').Last(), Is.EqualTo("10 passed, 2 failed"), result.Output);
             Assert.That(result.ExitCode, Is.EqualTo(1));
             string[] calls = File.ReadAllLines(Full("calls"));
-            Assert.That(calls, Has.Length.EqualTo(4));
-            Assert.That(calls[0], Does.Contain("-runTests -testPlatform EditMode"));
-            Assert.That(calls[1], Does.Contain("-runTests -testPlatform PlayMode"));
-            Assert.That(calls[2], Does.Contain("EditorVerification.ImportSample -quit"));
-            Assert.That(calls[3], Does.Contain("EditorVerification.Screenshots -anatomycarveOutput").And.Not.Contain("-quit"));
-            Assert.That(calls, Has.All.Contain("-batchmode -projectPath"));
+            Assert.That(calls, Has.Length.EqualTo(5));
+            Assert.That(calls[0], Does.EndWith("-quit"), "makes the project's settings");
+            Assert.That(calls[1], Does.Contain("-runTests -testPlatform EditMode"));
+            Assert.That(calls[2], Does.Contain("-runTests -testPlatform PlayMode"));
+            Assert.That(calls[3], Does.Contain("EditorVerification.ImportSample -quit"));
+            Assert.That(calls[4], Does.Contain("EditorVerification.Screenshots -anatomycarveOutput").And.Not.Contain("-quit"));
+            Assert.That(calls, Has.All.Contain("-batchmode -anatomycarveVerification -projectPath"));
             Assert.That(calls, Has.None.Contain("-nographics"));
             Assert.That(result.Output, Does.Contain("FAILED A.B"));
         }
@@ -56,6 +60,23 @@ namespace AnatomyCarve.Headless.Tests.Layout
             var manifest = Newtonsoft.Json.Linq.JObject.Parse(File.ReadAllText(Full("Project/Packages/manifest.json")));
             Assert.That((string)manifest["dependencies"]["com.anatomycarve.vr"], Is.EqualTo("file:" + PackageTree.OfRepository().Root.TrimEnd('/')));
             Assert.That(manifest["testables"].Select(t => (string)t), Does.Contain("com.anatomycarve.vr"));
+        }
+
+        [Test]
+        public void Run_OfANewProject_SetsInputSystemAndLinearColours()
+        {
+            Run("--editor", Full("Unity"), "--project", Full("Project"), "--output", Full("out"), "--only", "sample");
+            Assert.That(File.ReadAllText(Full("Project/ProjectSettings/ProjectSettings.asset")), Is.EqualTo("  m_ActiveColorSpace: 1\n  activeInputHandler: 1\n"));
+        }
+
+        [Test]
+        public void Tests_OfWhichNoneWasRun_AreAFailure()
+        {
+            Write("passed", "0");
+            Write("failed", "0");
+            ProcessResult result = Run("--editor", Full("Unity"), "--project", Full("Project"), "--output", Full("out"), "--only", "editmode");
+            Assert.That(result.Output.TrimEnd().Split('\n').Last(), Is.EqualTo("0 passed, 1 failed"));
+            Assert.That(result.Output, Does.Contain("no test was run").And.Contain("testables"));
         }
 
         [Test]

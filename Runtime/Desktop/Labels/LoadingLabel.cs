@@ -24,7 +24,7 @@ namespace AnatomyCarve.Desktop
         /// <summary>What loads: the one that was set, or else the one on this GameObject. Taken when the component is enabled.</summary>
         public VolumeLoader Loader
         {
-            get => this.Wired(ref loader);
+            get => this.WiredOrSibling(loader);
             set => loader = value;
         }
 

@@ -20,19 +20,21 @@ namespace AnatomyCarve.Desktop
         Color clippedColor = new Color(1f, 0.5f, 0.45f);
 
         Text text;
+        MousePointer shown;
 
         /// <summary>What points: the one that was set, or else the one on this GameObject. Taken when the component is enabled.</summary>
         public MousePointer Pointer
         {
-            get => this.Wired(ref pointer);
+            get => this.WiredOrSibling(pointer);
             set => pointer = value;
         }
 
         void OnEnable()
         {
             text = GetComponent<Text>();
-            if (Pointer != null)
-                pointer.Changed += Show;
+            shown = Pointer;
+            if (shown != null)
+                shown.Changed += Show;
             Show();
         }
 
@@ -40,15 +42,16 @@ namespace AnatomyCarve.Desktop
 
         void OnDisable()
         {
-            if (pointer != null)
-                pointer.Changed -= Show;
-            text.text = "";
+            if (shown != null)
+                shown.Changed -= Show;
+            shown = null;
+            Show();
         }
 
         void Show()
         {
-            text.text = pointer != null ? pointer.Label : "";
-            text.color = pointer != null && pointer.WillBeClipped ? clippedColor : staysColor;
+            text.text = shown != null ? shown.Label : "";
+            text.color = shown != null && shown.WillBeClipped ? clippedColor : staysColor;
         }
     }
 }

@@ -59,6 +59,22 @@ namespace AnatomyCarve.Tests.Components
         }
 
         [Test]
+        public void Appearance_ToldOfChangesThatThereAreNot_StaysTheSameObjects()
+        {
+            CarvedVolumeRenderer renderer = MakeVolume(Phantoms.Markers(20));
+            renderer.Appearance.SetSegment(new SegmentAppearance(LeftLabel, Color.red, 0.25f));
+            SegmentTable segments = renderer.Segments;
+            OpacityTransferFunction function = renderer.TransferFunction;
+            renderer.Render(FrontView(renderer.Volume));
+            renderer.Appearance.Clamp(); // as the Inspector and undo do
+            Assert.That(renderer.Segments, Is.SameAs(segments));
+            Assert.That(renderer.TransferFunction, Is.SameAs(function));
+            int dispatches = renderer.Statistics.VolumeDispatches;
+            renderer.Render(FrontView(renderer.Volume));
+            Assert.That(renderer.Statistics.VolumeDispatches, Is.EqualTo(dispatches));
+        }
+
+        [Test]
         public void Opacity_OutsideItsRange_IsRefused([Values(-0.1f, 1.1f, float.NaN)] float opacity) =>
             Assert.That(() => new SegmentAppearance(1, Color.red, opacity), Throws.InstanceOf<ArgumentOutOfRangeException>());
 

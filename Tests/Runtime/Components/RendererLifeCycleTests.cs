@@ -1,5 +1,6 @@
 using System;
 using System.Collections;
+using System.Runtime.CompilerServices;
 using AnatomyCarve.Volumes;
 using NUnit.Framework;
 using UnityEngine;
@@ -89,6 +90,38 @@ namespace AnatomyCarve.Tests.Components
             yield return null;
             Assert.That(CountGpuObjects(), Is.EqualTo(before));
         }
+
+        [UnityTest]
+        public IEnumerator Components_ThatAreDisabled_HoldNoVolumeThatWasUnloaded()
+        {
+            CarvedVolumeRenderer renderer = MakeVolume(Phantoms.Cube(8, "Cube"));
+            WeakReference volume = UseAndUnload(renderer);
+            for (int frame = 0; frame < 5 && volume.IsAlive; frame++)
+            {
+                yield return null;
+                GC.Collect();
+                GC.WaitForPendingFinalizers();
+            }
+            if (IsExact(GC.MaxGeneration))
+                Assert.That(volume.IsAlive, Is.False);
+            Assert.That(renderer.Stack.Carving, Is.Null);
+        }
+
+        [MethodImpl(MethodImplOptions.NoInlining)] // so that no variable of the caller holds the volume
+        static WeakReference UseAndUnload(CarvedVolumeRenderer renderer)
+        {
+            renderer.Segments = renderer.Volume.Segments.WithOpacity(1, 0.5f);
+            renderer.Stack.SetActive(Vector3.zero, 0.002f);
+            renderer.Render(FrontView(renderer.Volume));
+            Assert.That(renderer.Field, Is.Not.Null);
+            renderer.Stack.enabled = renderer.enabled = false;
+            var volume = new WeakReference(renderer.Volume);
+            renderer.Loader.Unload();
+            return volume;
+        }
+
+        /// <summary>Unity's collector (one generation) is conservative: an old word on the stack may hold the volume.</summary>
+        static bool IsExact(int generations) => generations > 0;
 
         [UnityTest]
         public IEnumerator Volume_Unloaded_FreesItsTextures()

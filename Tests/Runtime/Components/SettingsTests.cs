@@ -35,8 +35,15 @@ namespace AnatomyCarve.Tests.Components
             Assert.That(() => RenderQuality.Named("finest"), Throws.ArgumentException.With.Message.Contain("fast, balanced, best"));
 
         [Test]
-        public void LightDirection_Zero_IsRefused() =>
-            Assert.That(() => new LightSettings { Direction = Vector3.zero }, Throws.TypeOf<ArgumentOutOfRangeException>());
+        public void LightDirection_ThatIsNone_IsRefused([Values(0f, float.NaN, float.PositiveInfinity)] float z) =>
+            Assert.That(() => new LightSettings { Direction = new Vector3(0f, 0f, z) }, Throws.TypeOf<ArgumentOutOfRangeException>());
+
+        [Test]
+        public void LightDirection_OfAnyLength_IsADirection([Values(1e-42f, 1e-20f, 1e-5f, 1f, 1e30f)] float length)
+        {
+            var light = new LightSettings { Direction = new Vector3(0f, length, 0f) };
+            Assert.That((light.UnitDirection - Vector3.up).magnitude, Is.LessThan(1e-6f));
+        }
 
         [TestCase(0.5f)]
         [TestCase(float.NaN)]

@@ -39,23 +39,38 @@ namespace AnatomyCarve.Tests.Drawing
             Assert.That(CountDrawn(Draw(camera), camera), Is.EqualTo(whole));
         }
 
-        [Test]
-        public void Sphere_MovedByACallbackBeforeRendering_IsSeenInTheSameFrame()
+        [UnityTest]
+        public IEnumerator Sphere_MovedByACallbackBeforeRendering_IsSeenInTheSameFrame()
         {
             CarvedVolumeRenderer renderer = MakeVolume(Phantoms.Markers());
             Camera camera = MakeDrawingCamera(new Vector3(0f, 0f, -0.08f), Vector3.up);
-            Draw(camera);
-            void Carve() => renderer.Stack.SetActive(Vector3.zero, 1f);
-            Application.onBeforeRender += Carve;
-            try
+            camera.enabled = true;
+            yield return null;
+            yield return null;
+            Assert.That(CountDrawn(Read(camera.targetTexture), camera), Is.GreaterThan(100));
+            int carvedFrame = -1;
+            void Carve()
             {
-                Carve(); // as the player loop would have called it, after all updates
-                Assert.That(CountDrawn(Draw(camera), camera), Is.Zero);
-            }
-            finally
-            {
+                // After all updates, as poses of a headset come in.
+                renderer.Stack.SetActive(Vector3.zero, 1f);
+                carvedFrame = Time.frameCount;
                 Application.onBeforeRender -= Carve;
             }
+            Application.onBeforeRender += Carve;
+            yield return null;
+            Assert.That(carvedFrame, Is.EqualTo(Time.frameCount - 1), "one picture was drawn since");
+            Assert.That(CountDrawn(Read(camera.targetTexture), camera), Is.Zero);
+        }
+
+        [UnityTest]
+        public IEnumerator Mesh_AndMaterial_AreThereBeforeACameraBegins()
+        {
+            CarvedVolumeRenderer renderer = MakeVolume(Phantoms.Markers());
+            yield return null;
+            yield return null;
+            Assert.That(renderer.GetComponent<MeshFilter>().sharedMesh, Is.Not.Null, "its bounds are known when cameras cull");
+            Assert.That(renderer.GetComponent<MeshRenderer>().sharedMaterial, Is.Not.Null);
+            Assert.That(renderer.Statistics.BytesResident, Is.Zero, "nobody looked yet, so nothing is on the GPU");
         }
 
         [Test]

@@ -27,6 +27,9 @@ namespace AnatomyCarve.Formats
             return true;
         }
 
+        /// <summary>A checksum of packed bytes (XXH64): the same volume has the same on every machine.</summary>
+        public static ulong Checksum(ReadOnlySpan<byte> data) => Checksum64.Of(data);
+
         /// <summary>Packs a volume.</summary>
         /// <param name="volume">The volume.</param>
         /// <param name="cancellation">Cancels the work.</param>
