@@ -69,7 +69,9 @@ namespace AnatomyCarve.Desktop.Tests
         /// <param name="drift">Pixels that the mouse gets on in a frame, besides going to and fro.</param>
         long BytesOf(Action frame, float drift = 1f)
         {
-            long bytes = 0;
+            long bytes = 0, known = GC.GetAllocatedBytesForCurrentThread();
+            GC.KeepAlive(new byte[1000]);
+            Assume.That(GC.GetAllocatedBytesForCurrentThread() - known, Is.GreaterThanOrEqualTo(1000), "this runtime does not count what threads allocate");
             for (int n = 0; n < 2 * Frames; n++)
             {
                 MoveBy(new Vector2(n % 2 == 0 ? 3f : -3f, drift));

@@ -140,6 +140,19 @@ namespace AnatomyCarve.Desktop.Tests
         }
 
         [UnityTest]
+        public IEnumerator Pointer_SwitchedOff_TellsThatItPointsAtNothing()
+        {
+            yield return Begin();
+            yield return PointAt(new Vector3(0.009f, 0f, -Block.HalfWidth));
+            Assert.That(mousePointer.Label, Is.Not.Empty);
+            string told = null;
+            mousePointer.Changed += () => told = mousePointer.Label;
+            mousePointer.enabled = false;
+            Assert.That(told, Is.Empty, "a label that listens is empty now");
+            Assert.That(mousePointer.Segment, Is.Null);
+        }
+
+        [UnityTest]
         public IEnumerator Component_WithoutAPointer_SaysSo()
         {
             LogAssert.Expect(LogType.Error, new Regex("^MousePointer on 'Camera' has no SegmentPointer and is disabled: set Pointer"));

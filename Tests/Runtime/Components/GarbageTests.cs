@@ -66,7 +66,7 @@ namespace AnatomyCarve.Tests.Components
         {
             for (int n = 0; n < Frames; n++)
                 frame(n);
-            long before = GC.GetAllocatedBytesForCurrentThread();
+            long before = AllocatedBytes.OfThisThread();
             for (int n = 0; n < Frames; n++)
                 frame(n);
             return GC.GetAllocatedBytesForCurrentThread() - before;

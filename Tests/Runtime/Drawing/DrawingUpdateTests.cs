@@ -151,6 +151,7 @@ namespace AnatomyCarve.Tests.Drawing
         [Test]
         public void Callbacks_OfACamera_LeaveNoGarbage()
         {
+            _ = AllocatedBytes.OfThisThread();
             long before = 0, bytes = -1;
             int cameras = 0;
             void First(Camera camera) => before = GC.GetAllocatedBytesForCurrentThread();
