@@ -15,14 +15,11 @@ namespace AnatomyCarve.Headless.Tests.Manual
     /// </summary>
     public partial class ManualCodeTests
     {
+        /// <summary>What "getting started" tells readers to use, and no more.</summary>
         const string Usings = """
             using System;
-            using System.Collections;
             using System.Collections.Generic;
-            using System.Threading;
-            using System.Threading.Tasks;
             using AnatomyCarve;
-            using AnatomyCarve.Carving;
             using AnatomyCarve.Desktop;
             using AnatomyCarve.Picking;
             using AnatomyCarve.Volumes;
@@ -41,11 +38,11 @@ namespace AnatomyCarve.Headless.Tests.Manual
                 CarvedVolumeRenderer volumeRenderer;
                 SegmentPointer pointer;
                 Camera viewer;
-                CancellationToken cancellation;
+                System.Threading.CancellationToken cancellation;
 
-                async Task Run()
+                async System.Threading.Tasks.Task Run()
                 {
-                    await Task.Yield();
+                    await System.Threading.Tasks.Task.Yield();
 
             """;
 
@@ -56,6 +53,15 @@ namespace AnatomyCarve.Headless.Tests.Manual
             """;
 
         static readonly PackageTree Tree = PackageTree.OfRepository();
+
+        [Test]
+        public void Usings_OfTheCode_AreThoseThatReadersAreTold()
+        {
+            string page = Tree.Read("Documentation~/getting-started.md");
+            string told = page.Substring(page.IndexOf("What this manual's code uses", System.StringComparison.Ordinal)).Split(". Code with")[0];
+            Assert.That(Regex.Matches(told, "`([A-Z][A-Za-z.]+)`").Select(m => m.Groups[1].Value),
+                Is.EqualTo(Regex.Matches(Usings, "using ([A-Za-z.]+);").Select(m => m.Groups[1].Value)));
+        }
 
         [Test]
         public void Code_OfEachPage_Compiles([ValueSource(nameof(Pages))] string page)
