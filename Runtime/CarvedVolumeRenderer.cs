@@ -3,7 +3,6 @@ using AnatomyCarve.Carving;
 using AnatomyCarve.Picking;
 using AnatomyCarve.Volumes;
 using UnityEngine;
-using UnityEngine.Rendering;
 
 namespace AnatomyCarve
 {
@@ -43,8 +42,8 @@ namespace AnatomyCarve
         GpuSlot slot;
         readonly VolumeSettings settings = new VolumeSettings();
         readonly FieldCache field = new FieldCache();
-        MeshFilter meshFilter;
-        MeshRenderer meshRenderer;
+        VolumeSurface surface;
+        CameraEvents cameras;
 
         /// <summary>The volume that is shown: the one that was set, or else the one on this GameObject. Null if there is none.</summary>
         public VolumeLoader Loader { get => this.WiredOrSibling(loader); set => loader = value; }
@@ -148,14 +147,9 @@ namespace AnatomyCarve
 
         void OnEnable()
         {
-            if (!TryGetComponent(out meshFilter))
-                meshFilter = gameObject.AddComponent<MeshFilter>(); // scenes of before it was required
-            if (!TryGetComponent(out meshRenderer))
-                meshRenderer = gameObject.AddComponent<MeshRenderer>();
-            meshRenderer.shadowCastingMode = ShadowCastingMode.Off; // the shader has no pass for them
-            meshRenderer.receiveShadows = false;
-            Camera.onPreCull += BeforeCamera;
-            RenderPipelineManager.beginCameraRendering += BeforeCamera;
+            surface = new VolumeSurface(gameObject);
+            cameras ??= new CameraEvents(gameObject, BeforeCamera);
+            cameras.Listen();
         }
 
         void LateUpdate()
@@ -166,14 +160,13 @@ namespace AnatomyCarve
             settings.KeepOnly(volume);
             Slot.Gpu?.Pictures.DropGone();
             if (!Place(volume, transform.localToWorldMatrix)) // here already, so that the renderer's bounds are known before cameras cull
-                VolumeDrawing.Clear(meshFilter, meshRenderer);
+                surface.Clear();
         }
 
         void OnDisable()
         {
-            Camera.onPreCull -= BeforeCamera;
-            RenderPipelineManager.beginCameraRendering -= BeforeCamera;
-            VolumeDrawing.Clear(meshFilter, meshRenderer);
+            cameras.Stop();
+            surface.Clear();
             ReleaseResources();
             field.KeepOnly(null);
         }
@@ -185,22 +178,18 @@ namespace AnatomyCarve
             appearance?.Clamp();
         }
 
-        void BeforeCamera(ScriptableRenderContext context, Camera camera) => BeforeCamera(camera);
-
-        /// <summary>Called as a camera begins to render, after everything has moved and before it culls.</summary>
+        /// <summary>Called as a camera that sees this layer begins to render, after everything has moved and before it culls.</summary>
         void BeforeCamera(Camera camera)
         {
-            if (camera.cameraType == CameraType.Preview || (camera.cullingMask & 1 << gameObject.layer) == 0)
-                return;
             VolumeInputs inputs = Inputs;
             if (Place(inputs.Volume, inputs.ToWorld) && IsShown(inputs))
                 Slot.Bind(inputs);
             else
-                VolumeDrawing.Clear(meshFilter, meshRenderer);
+                surface.Clear();
         }
 
         bool Place(SegmentedVolume volume, in Matrix4x4 toWorld) => drawInCameras && volume != null && VolumeSpace.WorldScale(toWorld) != 0
-            && Slot.Place(meshFilter, meshRenderer, volume, layout);
+            && Slot.Place(surface, volume, layout);
 
         bool IsShown(in VolumeInputs inputs) => isActiveAndEnabled && Slot.Update(inputs, layout) != null;
 

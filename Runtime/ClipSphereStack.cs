@@ -32,7 +32,6 @@ namespace AnatomyCarve
         int historyLimit = CarvingStack.DefaultHistoryLimit;
 
         readonly StartCarving start = new StartCarving();
-        readonly WeakReference<SegmentedVolume> carved = new WeakReference<SegmentedVolume>(null); // a volume is large: none is held that is not shown
         CarvingStack carving;
         CarvingDocument loaded;
 
@@ -51,7 +50,7 @@ namespace AnatomyCarve
             get
             {
                 SegmentedVolume volume = Loader != null ? Loader.Volume : null;
-                if (!IsCarved(volume) || (!Application.isPlaying && start.Differs(startCarving, startFile)))
+                if (!start.IsOf(volume) || (!Application.isPlaying && start.Differs(startCarving, startFile)))
                     Carve(volume);
                 return carving;
             }
@@ -181,16 +180,11 @@ namespace AnatomyCarve
         {
             if (carving != null)
                 carving.Changed -= Raise;
-            carved.SetTarget(volume);
             carving = start.Of(volume, startCarving, startFile, this, out loaded);
             if (carving != null)
                 carving.Changed += Raise;
             Configure();
         }
-
-        bool IsCarved(SegmentedVolume volume) => volume == null
-            ? carving == null
-            : carving != null && carved.TryGetTarget(out SegmentedVolume known) && known == volume;
 
         void Configure()
         {

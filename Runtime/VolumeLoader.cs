@@ -29,8 +29,7 @@ namespace AnatomyCarve
         bool loadOnStart = true;
 
         StartSource begun;
-        CancellationTokenSource loading;
-        LoadProgress newest;
+        LoadRun load;
 
         /// <summary>Raised on the main thread when another volume has been loaded or set.</summary>
         public event Action<SegmentedVolume> Loaded;
@@ -42,10 +41,10 @@ namespace AnatomyCarve
         public SegmentedVolume Volume { get; private set; }
 
         /// <summary>Progress of the load that runs or ran last, 0 to 1.</summary>
-        public float Progress => newest?.Value ?? 0f;
+        public float Progress => load?.Progress ?? 0f;
 
         /// <summary>Whether a load is running.</summary>
-        public bool IsLoading => loading != null;
+        public bool IsLoading => load != null && load.IsRunning;
 
         /// <summary>The imported volume that is loaded on start; it comes before files. Null = none.</summary>
         public VolumeAsset Asset { get => asset; set => asset = value; }
@@ -127,11 +126,7 @@ namespace AnatomyCarve
         }
 
         /// <summary>Cancels the load that is running, if any.</summary>
-        public void Cancel()
-        {
-            loading?.Cancel();
-            loading = null;
-        }
+        public void Cancel() => load?.Cancel();
 
         /// <summary>Begins what is to be loaded: once in Play, and outside Play whenever something else is to be loaded.</summary>
         void Update()
@@ -169,32 +164,8 @@ namespace AnatomyCarve
             Func<CancellationToken, IProgress<float>, Task<SegmentedVolume>> open, CancellationToken cancellationToken, IProgress<float> progress)
         {
             Cancel();
-            // Outside Play the exit's token is that of the last Play, which has ended.
-            CancellationToken exit = Application.isPlaying ? Application.exitCancellationToken : CancellationToken.None;
-            using var source = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken, destroyCancellationToken, exit);
-            loading = source;
-            CancellationToken token = source.Token;
-            var relay = new LoadProgress(progress);
-            newest = relay;
-            SegmentedVolume volume;
-            try
-            {
-                relay.Report(0f);
-                volume = await open(token, relay);
-                token.ThrowIfCancellationRequested();
-            }
-            catch (Exception e) when (!(e is OperationCanceledException))
-            {
-                if (!token.IsCancellationRequested)
-                    Failed?.Invoke(e);
-                throw;
-            }
-            finally
-            {
-                if (loading == source)
-                    loading = null;
-            }
-            relay.Report(1f);
+            load = new LoadRun(cancellationToken, destroyCancellationToken, progress);
+            SegmentedVolume volume = await load.Run(open, e => Failed?.Invoke(e));
             foreach (string warning in volume.Warnings)
                 Debug.LogWarning(warning, this);
             Publish(volume);

@@ -72,10 +72,10 @@ namespace AnatomyCarve
         }
 
         /// <summary>
-        /// Gives a mesh renderer the volume's box and material, if the render pipeline and the device draw volumes. Nothing goes to the GPU yet.
+        /// Gives a surface the volume's box and material, if the render pipeline and the device draw volumes. Nothing goes to the GPU yet.
         /// </summary>
         /// <returns>Whether cameras can draw it.</returns>
-        public bool Place(MeshFilter filter, MeshRenderer renderer, SegmentedVolume volume, TextureLayout wanted)
+        public bool Place(VolumeSurface surface, SegmentedVolume volume, TextureLayout wanted)
         {
             if (!IsPipelineSupported() || !IsPossible(volume, wanted) || drawingProblem != null)
                 return false;
@@ -91,7 +91,7 @@ namespace AnatomyCarve
             try
             {
                 drawing ??= new VolumeDrawing(AnatomyCarveShaders.LoadOrThrow(), volume.Geometry);
-                drawing.Place(filter, renderer);
+                drawing.Place(surface);
                 return true;
             }
             catch (Exception e) when (IsRefusal(e))

@@ -35,8 +35,8 @@ namespace AnatomyCarve
         /// <summary>The grid whose box it is.</summary>
         public VolumeGeometry Geometry { get; }
 
-        /// <summary>Puts box and material on a mesh renderer. Before values are bound nothing is seen.</summary>
-        public void Place(MeshFilter filter, MeshRenderer renderer)
+        /// <summary>Has a surface show box and material. Before values are bound nothing is seen.</summary>
+        public void Place(VolumeSurface surface)
         {
             if (box == null)
                 box = VolumeBox.MakeMesh(Geometry);
@@ -45,19 +45,7 @@ namespace AnatomyCarve
                 material = new Material(shader) { name = "AnatomyCarve volume", hideFlags = HideFlags.HideAndDontSave };
                 boundTo = null;
             }
-            if (filter.sharedMesh != box)
-                filter.sharedMesh = box;
-            if (renderer.sharedMaterial != material)
-                renderer.sharedMaterial = material;
-        }
-
-        /// <summary>Has cameras draw nothing.</summary>
-        public static void Clear(MeshFilter filter, MeshRenderer renderer)
-        {
-            if (filter != null && filter.sharedMesh is object)
-                filter.sharedMesh = null;
-            if (renderer != null && renderer.sharedMaterial is object)
-                renderer.sharedMaterial = null;
+            surface.Show(box, material);
         }
 
         public void Dispose()
