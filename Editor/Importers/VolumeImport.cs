@@ -100,7 +100,7 @@ namespace AnatomyCarve.Editor
 
         void ImportScan(string labels)
         {
-            SegmentedVolume volume = VolumeReading.Read(
+            SegmentedVolume volume = SegmentedVolumeReader.Read(
                 Physical(context.assetPath), labels == null ? null : Physical(labels), CancellationToken.None, null);
             foreach (string warning in volume.Warnings)
                 context.LogImportWarning(warning);

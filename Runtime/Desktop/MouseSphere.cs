@@ -15,9 +15,6 @@ namespace AnatomyCarve.Desktop
     [ManualPage("components")]
     public sealed class MouseSphere : MonoBehaviour
     {
-        // A frame that took longer, as the first one does, moves no further than this many seconds.
-        const float LongestFrame = 0.1f;
-
         [SerializeField, Tooltip("The camera whose picture the mouse is in; empty = the one on this GameObject")]
         Camera view;
 
@@ -76,9 +73,23 @@ namespace AnatomyCarve.Desktop
         public float GrowthPerNotch
         {
             get => growthPerNotch;
-            set => growthPerNotch = value >= 0.01f && value <= 1f
-                ? value
-                : throw new ArgumentOutOfRangeException(nameof(GrowthPerNotch), value, "The growth is 0.01 to 1.");
+            set => growthPerNotch = SettingRange.Checked(value, 0.01f, 1f, nameof(GrowthPerNotch));
+        }
+
+        /// <summary>How far keys move the sphere in a second, as a share of the picture's height: 0.05 to 2.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">The value lies outside.</exception>
+        public float HeightsPerSecond
+        {
+            get => heightsPerSecond;
+            set => heightsPerSecond = SettingRange.Checked(value, 0.05f, 2f, nameof(HeightsPerSecond));
+        }
+
+        /// <summary>How much larger keys make the sphere in a second, as a share of its radius: 0.05 to 5.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">The value lies outside.</exception>
+        public float GrowthPerSecond
+        {
+            get => growthPerSecond;
+            set => growthPerSecond = SettingRange.Checked(value, 0.05f, 5f, nameof(GrowthPerSecond));
         }
 
         /// <summary>Other controls than the package's; taken when the component is enabled. Null = the package's.</summary>
@@ -117,7 +128,7 @@ namespace AnatomyCarve.Desktop
                 Hold(sphere);
             else
                 drag.End();
-            Move(sphere, motion, growth, Mathf.Min(seconds, LongestFrame));
+            Move(sphere, motion, growth, Mathf.Min(seconds, PictureRay.LongestFrame));
         }
 
         void OnEnable()
@@ -164,8 +175,7 @@ namespace AnatomyCarve.Desktop
                 return;
             Transform eye = View.transform;
             float depth = Mathf.Max(View.nearClipPlane, Vector3.Dot(sphere.Centre - eye.position, eye.forward));
-            float height = 2f * (View.orthographic ? View.orthographicSize : depth * Mathf.Tan(0.5f * View.fieldOfView * Mathf.Deg2Rad));
-            sphere.MoveTo(sphere.Centre + eye.rotation * motion * (heightsPerSecond * height * seconds));
+            sphere.MoveTo(sphere.Centre + eye.rotation * motion * (heightsPerSecond * PictureRay.Height(View, depth) * seconds));
         }
 
         void LetGo()

@@ -9,9 +9,6 @@ namespace AnatomyCarve.Desktop
         // Distances that a key slides, and by which it comes nearer, in a second: shares of the picture's height and of the distance.
         const float SlidePerSecond = 0.5f, ApproachPerSecond = 1f;
 
-        // A frame that took longer, as the first one does, moves no further than this many seconds.
-        const float LongestFrame = 0.1f;
-
         readonly ControlSet set;
         readonly InputAction orbit, pan, drag, zoom, turn, slide, approach, reset, holdSphere, point;
         bool orbits, pans;
@@ -51,7 +48,7 @@ namespace AnatomyCarve.Desktop
                 view.Scale(Mathf.Exp(-zoomPerNotch * Wheel.Notches(zoom)));
             if (InputGate.AreKeysBlocked(gate))
                 return;
-            Keys(view, camera, Mathf.Min(seconds, LongestFrame), degreesPerSecond);
+            Keys(view, camera, Mathf.Min(seconds, PictureRay.LongestFrame), degreesPerSecond);
             if (reset.WasPerformedThisFrame())
                 view.GoHome();
         }
@@ -63,7 +60,7 @@ namespace AnatomyCarve.Desktop
             Vector2 moved = drag.ReadValue<Vector2>() / Mathf.Max(1, camera.pixelHeight);
             if (pans)
             {
-                float height = HeightAt(camera, view.Goal.Distance);
+                float height = PictureRay.PerspectiveHeight(camera, view.Goal.Distance);
                 view.Slide(-moved.x * height, -moved.y * height);
             }
             else
@@ -77,7 +74,7 @@ namespace AnatomyCarve.Desktop
             Vector2 turned = turn.ReadValue<Vector2>() * (degreesPerSecond * seconds);
             if (turned != Vector2.zero)
                 view.Turn(-turned.x, turned.y);
-            Vector2 slid = slide.ReadValue<Vector2>() * (SlidePerSecond * seconds * HeightAt(camera, view.Goal.Distance));
+            Vector2 slid = slide.ReadValue<Vector2>() * (SlidePerSecond * seconds * PictureRay.PerspectiveHeight(camera, view.Goal.Distance));
             if (slid != Vector2.zero)
                 view.Slide(slid.x, slid.y);
             view.Scale(Mathf.Exp(-ApproachPerSecond * seconds * approach.ReadValue<float>()));
@@ -86,7 +83,5 @@ namespace AnatomyCarve.Desktop
         /// <summary>A drag begins where the mouse is ours, and goes on wherever it gets to until its button is released.</summary>
         static bool Goes(bool going, InputAction button, bool mayBegin) =>
             going ? button.IsPressed() : mayBegin && button.WasPressedThisFrame();
-
-        static float HeightAt(Camera camera, float distance) => 2f * distance * Mathf.Tan(0.5f * camera.fieldOfView * Mathf.Deg2Rad);
     }
 }

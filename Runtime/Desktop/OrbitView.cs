@@ -48,18 +48,10 @@ namespace AnatomyCarve.Desktop
         float standOff;
 
         /// <summary>What is looked at; null = <see cref="TargetPoint"/>.</summary>
-        public Transform Target
-        {
-            get => target;
-            set => target = value;
-        }
+        public Transform Target { get => target; set => target = value; }
 
         /// <summary>What is looked at where there is no target, in world space.</summary>
-        public Vector3 TargetPoint
-        {
-            get => targetPoint;
-            set => targetPoint = value;
-        }
+        public Vector3 TargetPoint { get => targetPoint; set => targetPoint = value; }
 
         /// <summary>How near, far, low and high the view goes.</summary>
         /// <exception cref="ArgumentException">The limits are none.</exception>
@@ -74,29 +66,31 @@ namespace AnatomyCarve.Desktop
             }
         }
 
+        /// <summary>Degrees that a drag over the whole height of the picture turns: 10 to 720.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">The value lies outside.</exception>
+        public float DegreesPerHeight { get => degreesPerHeight; set => degreesPerHeight = SettingRange.Checked(value, 10f, 720f, nameof(DegreesPerHeight)); }
+
+        /// <summary>How much nearer a notch of the wheel comes, as a share of the distance: 0.01 to 1.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">The value lies outside.</exception>
+        public float ZoomPerNotch { get => zoomPerNotch; set => zoomPerNotch = SettingRange.Checked(value, 0.01f, 1f, nameof(ZoomPerNotch)); }
+
+        /// <summary>Degrees that a key turns in a second: 1 to 360.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">The value lies outside.</exception>
+        public float DegreesPerSecond { get => degreesPerSecond; set => degreesPerSecond = SettingRange.Checked(value, 1f, 360f, nameof(DegreesPerSecond)); }
+
         /// <summary>Seconds in which about two thirds of a movement are made, 0 to 1; 0 = at once.</summary>
         /// <exception cref="ArgumentOutOfRangeException">The value lies outside.</exception>
         public float SmoothTime
         {
             get => smoothTime;
-            set => smoothTime = value >= 0f && value <= 1f
-                ? value
-                : throw new ArgumentOutOfRangeException(nameof(SmoothTime), value, "The smooth time is 0 to 1 seconds.");
+            set => smoothTime = SettingRange.Checked(value, 0f, 1f, nameof(SmoothTime));
         }
 
         /// <summary>Other controls than the package's; taken when the component is enabled. Null = the package's.</summary>
-        public InputActionAsset Controls
-        {
-            get => controls;
-            set => controls = value;
-        }
+        public InputActionAsset Controls { get => controls; set => controls = value; }
 
         /// <summary>Says when mouse and keys belong to something else; null = never.</summary>
-        public InputGate Gate
-        {
-            get => gate;
-            set => gate = value;
-        }
+        public InputGate Gate { get => gate; set => gate = value; }
 
         /// <summary>The pose that the view is in, its centre relative to the target; null before it was enabled.</summary>
         public OrbitPose? Pose => orbit?.Current;
@@ -173,7 +167,7 @@ namespace AnatomyCarve.Desktop
             OrbitPose seen = OrbitPose.Looking(transform.position, transform.rotation, Origin);
             standOff = seen.Distance;
             if (view.orthographic)
-                seen = new OrbitPose(seen.Centre, seen.Yaw, seen.Pitch, view.orthographicSize / HeightAt(1f));
+                seen = new OrbitPose(seen.Centre, seen.Yaw, seen.Pitch, 2f * view.orthographicSize / PictureRay.PerspectiveHeight(view, 1f));
             orbit = new Orbit(new OrbitPose(Vector3.zero, seen.Yaw, seen.Pitch, seen.Distance)) { Limits = limits };
             orbit.Arrive();
         }
@@ -183,12 +177,9 @@ namespace AnatomyCarve.Desktop
         {
             OrbitPose pose = orbit.Current;
             if (view.orthographic)
-                view.orthographicSize = pose.Distance * HeightAt(1f);
+                view.orthographicSize = 0.5f * PictureRay.PerspectiveHeight(view, pose.Distance);
             float distance = view.orthographic ? standOff : pose.Distance;
             transform.SetPositionAndRotation(Origin + pose.Position(distance), pose.Rotation);
         }
-
-        /// <summary>Half the picture's height at a distance.</summary>
-        float HeightAt(float distance) => distance * Mathf.Tan(0.5f * view.fieldOfView * Mathf.Deg2Rad);
     }
 }

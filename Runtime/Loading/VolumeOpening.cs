@@ -25,7 +25,7 @@ namespace AnatomyCarve
         {
             VolumeSource intensitySource = VolumeSource.OfContent(intensity, name);
             VolumeSource labelsSource = labels == null ? null : VolumeSource.OfContent(labels, name + " (labels)");
-            return Task.Run(() => VolumeReading.Read(intensitySource, labelsSource, cancellationToken, progress), cancellationToken);
+            return Task.Run(() => SegmentedVolumeReader.Read(intensitySource, labelsSource, cancellationToken, progress), cancellationToken);
         }
 
         public static async Task<SegmentedVolume> FilesAsync(
@@ -34,13 +34,13 @@ namespace AnatomyCarve
             string intensity = VolumePaths.Resolve(intensityPath, Application.streamingAssetsPath);
             string labels = VolumePaths.Resolve(labelsPath, Application.streamingAssetsPath);
             if (!VolumePaths.IsAddress(intensity) && !VolumePaths.IsAddress(labels))
-                return await Task.Run(() => VolumeReading.Read(intensity, labels, cancellationToken, progress), cancellationToken);
+                return await Task.Run(() => SegmentedVolumeReader.Read(intensity, labels, cancellationToken, progress), cancellationToken);
 
             using var fetched = new FetchedFiles(Application.temporaryCachePath);
             intensity = await fetched.FetchAsync(intensity, cancellationToken, new ProgressShare(progress, 0f, 0.5f * Fetching));
             labels = await fetched.FetchAsync(labels, cancellationToken, new ProgressShare(progress, 0.5f * Fetching, 0.5f * Fetching));
             var rest = new ProgressShare(progress, Fetching, 1f - Fetching);
-            return await Task.Run(() => VolumeReading.Read(intensity, labels, cancellationToken, rest), cancellationToken);
+            return await Task.Run(() => SegmentedVolumeReader.Read(intensity, labels, cancellationToken, rest), cancellationToken);
         }
     }
 }

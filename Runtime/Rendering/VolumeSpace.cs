@@ -34,9 +34,6 @@ namespace AnatomyCarve
         public static PointMm LocalToLps(VolumeGeometry geometry, Vector3 local) =>
             Checked(geometry).CentreLps + new VectorMm(local.x * MmPerMetre, local.z * MmPerMetre, local.y * MmPerMetre);
 
-        /// <summary>A direction of the volume's local space in the patient, in millimetres per metre's length of <paramref name="local"/>.</summary>
-        public static VectorMm DirectionToLps(Vector3 local) => new VectorMm(local.x * MmPerMetre, local.z * MmPerMetre, local.y * MmPerMetre);
-
         /// <summary>
         /// The matrix from world space to LPS millimetres.
         /// </summary>

@@ -82,16 +82,10 @@ namespace AnatomyCarve.Headless.Cli.Bench
         }
 
         /// <summary>What the package's loader does with a pair of files.</summary>
-        static SegmentedVolume ReadFiles(NamedContent scan, NamedContent labels, CancellationToken cancellation)
-        {
-            var intensity = IntensityVolume.FromVolumeData(VolumeReader.Read(scan.Bytes, scan.Name, cancellation), 0, cancellation);
-            var volume = labels == null
-                ? SegmentedVolume.Unsegmented(intensity)
-                : new SegmentedVolume(intensity, LabelMap.FromVolumeData(VolumeReader.Read(labels.Bytes, labels.Name, cancellation), cancellation)
-                    .OnGridOf(intensity.Geometry));
-            _ = volume.AutomaticTransferFunction;
-            return volume;
-        }
+        static SegmentedVolume ReadFiles(NamedContent scan, NamedContent labels, CancellationToken cancellation) =>
+            SegmentedVolumeReader.Read(Source(scan), labels == null ? null : Source(labels), cancellation, null);
+
+        static VolumeSource Source(NamedContent content) => VolumeSource.OfContent(content.Bytes, content.Name);
 
         static double Measure(Func<SegmentedVolume> load, out long allocated)
         {

@@ -99,21 +99,7 @@ namespace AnatomyCarve.Headless.Cli.Commands
             return new Picture(2 * size.Width, size.Height, SideBySide.Join(colors, 4 * size.Width), SideBySide.Join(depths, size.Width));
         }
 
-        // From the stored values, 1 at the near plane and 0 at the far one, to millimetres along the rays.
-        float[] Distances(float[] stored, Matrix4x4 projection)
-        {
-            double near = 1.0 / camera.nearClipPlane, far = 1.0 / camera.farClipPlane;
-            var distances = new float[stored.Length];
-            for (var pixel = 0; pixel < stored.Length; pixel++)
-            {
-                var x = ((pixel % size.Width + 0.5) / size.Width * 2 - 1 + projection.m02) / projection.m00;
-                var y = ((pixel / size.Width + 0.5) / size.Height * 2 - 1 + projection.m12) / projection.m11;
-                distances[pixel] = stored[pixel] == 0
-                    ? float.PositiveInfinity
-                    : (float)(1000 * Math.Sqrt(1 + x * x + y * y) / (stored[pixel] * (near - far) + far));
-            }
-
-            return distances;
-        }
+        float[] Distances(float[] stored, Matrix4x4 projection) =>
+            DepthBuffer.ToMillimetres(stored, size.Width, projection, camera.nearClipPlane, camera.farClipPlane);
     }
 }

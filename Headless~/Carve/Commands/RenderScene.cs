@@ -8,16 +8,15 @@ namespace AnatomyCarve.Headless.Cli.Commands
     /// <summary>The scene that is rendered: one GameObject with the package's components, on the host.</summary>
     sealed class RenderScene : IDisposable
     {
-        readonly Warnings warnings;
+        readonly EngineLog log;
         readonly UnityHost host;
-        volatile string firstError;
 
         /// <param name="project">the project that it is in</param>
         /// <param name="warnings">where the engine's and the package's warnings go</param>
         public RenderScene(RenderProject project, Warnings warnings)
         {
-            this.warnings = warnings;
-            host = UnityHost.Start(project.HostOptions(OnLog));
+            log = new EngineLog(warnings);
+            host = UnityHost.Start(project.HostOptions(log.Note));
             var volume = new GameObject("volume");
             Loader = volume.AddComponent<VolumeLoader>();
             Stack = volume.AddComponent<ClipSphereStack>();
@@ -48,17 +47,8 @@ namespace AnatomyCarve.Headless.Cli.Commands
 
         /// <summary>Fails if anything was logged as an error: a picture made in spite of it is not to be trusted.</summary>
         /// <exception cref="CommandException">Something was.</exception>
-        public void ThrowIfFailed()
-        {
-            if (firstError != null) throw new CommandException(firstError);
-        }
+        public void ThrowIfFailed() => log.ThrowIfFailed();
 
         public void Dispose() => host.Dispose();
-
-        void OnLog(LogType type, string message, string stackTrace)
-        {
-            if (type == LogType.Warning) warnings.Add(message);
-            if (type is LogType.Error or LogType.Exception or LogType.Assert) firstError ??= message;
-        }
     }
 }

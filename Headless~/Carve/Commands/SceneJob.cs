@@ -12,10 +12,11 @@ namespace AnatomyCarve.Headless.Cli.Commands
     sealed class SceneJob(string scenePath, string outputPath, int frames, RenderProject project)
     {
         readonly Warnings warnings = new();
-        volatile string firstError;
+        EngineLog log;
 
         public void Run(TextWriter output, TextWriter error, bool showProgress, CancellationToken cancellation)
         {
+            log = new EngineLog(warnings);
             OutputSet.Check(outputPath);
             InputFile.Check(scenePath);
             try
@@ -26,7 +27,7 @@ namespace AnatomyCarve.Headless.Cli.Commands
                     bars.Step("loading", progress => Load(host, progress, cancellation));
                     bars.Step("playing", progress => Play(host, progress, cancellation));
                     var (rgba, width) = Picture(host);
-                    ThrowIfFailed();
+                    log.ThrowIfFailed();
                     using var outputs = new OutputSet();
                     outputs.Add(outputPath, stream => stream.Write(
                         ImageConversion.EncodeArrayToPNG(rgba, GraphicsFormat.R8G8B8A8_SRGB, (uint)width, (uint)project.Size.Height)));
@@ -44,7 +45,7 @@ namespace AnatomyCarve.Headless.Cli.Commands
 
         UnityHost Start()
         {
-            var options = project.HostOptions(OnLog);
+            var options = project.HostOptions(log.Note);
             (options.ScreenWidth, options.ScreenHeight) = (project.Size.Width, project.Size.Height);
             return UnityHost.Start(options);
         }
@@ -62,7 +63,7 @@ namespace AnatomyCarve.Headless.Cli.Commands
                 Thread.Sleep(1);
             }
 
-            ThrowIfFailed();
+            log.ThrowIfFailed();
             return true;
         }
 
@@ -75,7 +76,7 @@ namespace AnatomyCarve.Headless.Cli.Commands
                 host.Step();
             }
 
-            ThrowIfFailed();
+            log.ThrowIfFailed();
             return true;
         }
 
@@ -84,17 +85,6 @@ namespace AnatomyCarve.Headless.Cli.Commands
             var width = project.Size.Width;
             if (project.Stereo == HostStereo.Mono) return (host.ReadScreen(), width);
             return (SideBySide.Join([host.ReadEye(0), host.ReadEye(1)], 4 * width), 2 * width);
-        }
-
-        void ThrowIfFailed()
-        {
-            if (firstError != null) throw new CommandException(firstError);
-        }
-
-        void OnLog(LogType type, string message, string stackTrace)
-        {
-            if (type == LogType.Warning) warnings.Add(message);
-            if (type is LogType.Error or LogType.Exception or LogType.Assert) firstError ??= message;
         }
     }
 }

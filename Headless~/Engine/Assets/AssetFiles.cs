@@ -88,9 +88,6 @@ namespace UnityEngine
             return fullPath;
         }
 
-        /// <summary>True for a file below one of the roots.</summary>
-        internal static bool IsInProject(string fullPath) => ProjectPath(fullPath) != Normal(fullPath);
-
         /// <summary>Takes in a file that has come, or drops one that has gone.</summary>
         internal static void Refresh(string path)
         {

@@ -2,47 +2,39 @@ using System;
 
 namespace Unity.Profiling
 {
-    /// <summary>A named stretch of work. Headless nothing measures it unless a <see cref="ProfilerSamples"/> listener does.</summary>
+    /// <summary>A named stretch of work, which Unity's Profiler shows. Headless nothing measures it.</summary>
     public struct ProfilerMarker
     {
-        readonly string m_Name;
+        public ProfilerMarker(string name)
+        {
+        }
 
-        public ProfilerMarker(string name) => m_Name = name;
+        public ProfilerMarker(ProfilerCategory category, string name)
+        {
+        }
 
-        public ProfilerMarker(ProfilerCategory category, string name) => m_Name = name;
+        public void Begin()
+        {
+        }
 
-        public void Begin() => ProfilerSamples.Begin(m_Name);
+        public void Begin(UnityEngine.Object contextUnityObject)
+        {
+        }
 
-        public void Begin(UnityEngine.Object contextUnityObject) => ProfilerSamples.Begin(m_Name);
-
-        public void End() => ProfilerSamples.End(m_Name);
+        public void End()
+        {
+        }
 
         /// <summary>Begins now and ends when the scope is disposed of.</summary>
-        public AutoScope Auto() => new(m_Name);
+        public AutoScope Auto() => default;
 
         /// <summary>The stretch between a marker's Auto and the end of its using block.</summary>
         public struct AutoScope : IDisposable
         {
-            readonly string m_Name;
-
-            internal AutoScope(string name)
+            public void Dispose()
             {
-                m_Name = name;
-                ProfilerSamples.Begin(name);
             }
-
-            public void Dispose() => ProfilerSamples.End(m_Name);
         }
-    }
-
-    /// <summary>Who listens to markers.</summary>
-    static class ProfilerSamples
-    {
-        internal static Action<string, bool> Listener { get; set; }
-
-        internal static void Begin(string name) => Listener?.Invoke(name, true);
-
-        internal static void End(string name) => Listener?.Invoke(name, false);
     }
 
     /// <summary>The group that a marker belongs to.</summary>

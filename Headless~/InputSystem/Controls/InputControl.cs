@@ -84,9 +84,6 @@ namespace UnityEngine.InputSystem
 
         protected void* previousFrameStatePtr => m_Device.State.Previous;
 
-        /// <summary>Whether one binds to it as to a button.</summary>
-        internal bool IsButton => this is Controls.ButtonControl;
-
         internal void* StateNow => m_Device.State.Current;
 
         internal bool IsAtDefault => m_StateBlock.SameIn(m_Device.State.Current, m_Device.State.Default);
@@ -138,9 +135,6 @@ namespace UnityEngine.InputSystem
         }
 
         internal void SendFinishSetup() => FinishSetup();
-
-        internal bool HasName(string text, StringComparison comparison) =>
-            string.Equals(name, text, comparison) || m_Aliases.Any(a => string.Equals(a, text, comparison));
 
         internal void AddProcessor(InputProcessor processor) => m_ProcessorStack.Add(processor);
     }

@@ -14,31 +14,30 @@ namespace AnatomyCarve.Headless.Tests.Devices
     {
         readonly List<string> errors = [];
 
-        /// <summary>Everything that the package makes a texture of, and what it used to.</summary>
-        static readonly GraphicsFormat[] Formats =
-        [
-            GraphicsFormat.R16_UInt, GraphicsFormat.R16_UNorm, GraphicsFormat.R8_UInt, GraphicsFormat.R8_UNorm, GraphicsFormat.R8G8_UNorm,
-            GraphicsFormat.R32_UInt, GraphicsFormat.R32_SFloat, GraphicsFormat.R32G32B32A32_SFloat, GraphicsFormat.R16G16B16A16_SFloat,
-            GraphicsFormat.R8G8B8A8_UNorm,
-        ];
-
-        [Test]
-        public void Render_WithoutAFormat_ShowsTheSameOrSaysWhichOnce([ValueSource(nameof(Formats))] GraphicsFormat denied)
+        [TestCase(GraphicsFormat.R16_UInt)]
+        [TestCase(GraphicsFormat.R32_UInt)]
+        [TestCase(GraphicsFormat.R32_SFloat)]
+        [TestCase(GraphicsFormat.R32G32B32A32_SFloat)]
+        [TestCase(GraphicsFormat.R16G16B16A16_SFloat)]
+        public void Render_WithoutAFormatThatIsNeeded_SaysWhichOnce(GraphicsFormat denied)
         {
-            PictureData expected = Render([], out _);
-            Assert.That(errors, Is.Empty);
-            PictureData picture = Render([denied], out TextureLayout layout);
-            if (picture == null)
-            {
-                Assert.That(errors, Has.Count.EqualTo(1));
-                Assert.That(errors[0], Does.Contain(denied.ToString()).And.Contain("cannot be"));
-                return;
-            }
+            Assert.That(Render([denied], out _), Is.Null);
+            Assert.That(errors, Has.Count.EqualTo(1));
+            Assert.That(errors[0], Does.Contain(denied.ToString()).And.Contain("cannot be"));
+        }
+
+        [TestCase(GraphicsFormat.R8_UInt)]
+        [TestCase(GraphicsFormat.R8_UNorm)]
+        [TestCase(GraphicsFormat.R8G8_UNorm)]
+        [TestCase(GraphicsFormat.R16_UNorm)]
+        [TestCase(GraphicsFormat.R8G8B8A8_UNorm)]
+        public void Render_WithoutAFormatThatHasAnother_ShowsTheSame(GraphicsFormat denied)
+        {
+            PictureData expected = Render([], out _), picture = Render([denied], out _);
             Assert.That(errors, Is.Empty);
             Assert.That(picture.Segments, Is.EqualTo(expected.Segments));
             for (int p = 0; p < expected.Color.Length; p++)
                 Assert.That(((Vector4)picture.Color[p] - (Vector4)expected.Color[p]).magnitude, Is.LessThan(1 / 255f), "pixel " + p);
-            TestContext.Out.WriteLine($"{denied}: {layout}");
         }
 
         [TestCase(GraphicsFormat.R8_UNorm)]

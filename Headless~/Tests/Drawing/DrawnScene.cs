@@ -9,6 +9,7 @@ using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.Experimental.Rendering;
 using UnityEngine.Rendering;
+using UnityEngine.TestTools;
 
 namespace AnatomyCarve.Headless.Tests.Drawing
 {
@@ -24,6 +25,7 @@ namespace AnatomyCarve.Headless.Tests.Drawing
         public DrawnScene(HostOptions options)
         {
             this.options = options;
+            options.Validation = true;
             options.Log = (type, message, _) =>
             {
                 if (type is LogType.Error or LogType.Exception or LogType.Assert)
@@ -133,21 +135,8 @@ namespace AnatomyCarve.Headless.Tests.Drawing
         }
 
         /// <summary>What the depth buffer holds, as millimetres along the pixels' rays; infinity where nothing was drawn.</summary>
-        public double[] DrawnDepthMm(int eye)
-        {
-            float[] stored = options.Stereo == HostStereo.Mono ? host.ReadDepth(Target) : host.ReadEyeDepth(eye);
-            Matrix4x4 p = Projection(eye);
-            var distances = new double[stored.Length];
-            for (int pixel = 0; pixel < stored.Length; pixel++)
-            {
-                double x = ((pixel % Size + 0.5) / Size * 2 - 1 + p.m02) / p.m00, y = ((pixel / Size + 0.5) / Size * 2 - 1 + p.m12) / p.m11;
-                double near = 1.0 / Camera.nearClipPlane, far = 1.0 / Camera.farClipPlane;
-                distances[pixel] = stored[pixel] == 0
-                    ? double.PositiveInfinity
-                    : 1000 * Math.Sqrt(1 + x * x + y * y) / (stored[pixel] * (near - far) + far);
-            }
-            return distances;
-        }
+        public float[] DrawnDepthMm(int eye) => DepthBuffer.ToMillimetres(
+            options.Stereo == HostStereo.Mono ? host.ReadDepth(Target) : host.ReadEyeDepth(eye), Size, Projection(eye), Camera.nearClipPlane, Camera.farClipPlane);
 
         /// <summary>The kernel's picture of what an eye sees.</summary>
         public PictureData Kernel(int eye)
@@ -179,8 +168,14 @@ namespace AnatomyCarve.Headless.Tests.Drawing
 
         public void Dispose()
         {
-            Target.Release();
+            foreach (Transform transform in UnityEngine.Object.FindObjectsByType<Transform>(FindObjectsInactive.Include, FindObjectsSortMode.None))
+                if (transform != null)
+                    UnityEngine.Object.DestroyImmediate(transform.root.gameObject);
+            UnityEngine.Object.DestroyImmediate(Target);
+            host.Step(); // what the objects held goes
+            host.Step();
             host.Dispose();
+            HostEnds.Note("Tests/Drawing", host.Report.LeakCount == 0 && host.Report.ErrorsAtEnd == 0 && host.Report.ValidationMessages == 0, host.Report);
         }
 
         static Color Encoded(Color premultiplied) => premultiplied.a > 0f ? (premultiplied * (1f / premultiplied.a)).gamma * premultiplied.a : default;

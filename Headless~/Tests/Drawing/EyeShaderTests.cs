@@ -76,7 +76,7 @@ namespace AnatomyCarve.Headless.Tests.Drawing
             for (int eye = 0; eye < drawn.Eyes; eye++)
             {
                 Color32[] volumeAlone = drawn.Drawn(eye);
-                double[] depth = drawn.DrawnDepthMm(eye);
+                float[] depth = drawn.DrawnDepthMm(eye);
                 Color[] kernel = drawn.Kernel(eye).Color;
                 int front = 0, back = 0;
                 for (int p = 0; p < depth.Length; p++)
@@ -87,7 +87,7 @@ namespace AnatomyCarve.Headless.Tests.Drawing
                         front++;
                         AssertSeen(both[eye][p], volumeAlone[p], $"eye {eye}, pixel {p}: the volume is nearer");
                     }
-                    if (double.IsInfinity(depth[p]) || depth[p] > 1.3 * wallMm)
+                    if (float.IsInfinity(depth[p]) || depth[p] > 1.3 * wallMm)
                     {
                         back++;
                         AssertSeen(both[eye][p], wallAlone[eye][p], $"eye {eye}, pixel {p}: the wall is nearer");
@@ -136,7 +136,7 @@ namespace AnatomyCarve.Headless.Tests.Drawing
             Assert.That(different, Is.LessThanOrEqualTo(AllowedShare * actual.Length), what);
         }
 
-        static void AssertDepths(double[] actual, PictureData kernel, string what)
+        static void AssertDepths(float[] actual, PictureData kernel, string what)
         {
             double largest = 0, sum = 0;
             int different = 0, compared = 0;
@@ -144,7 +144,7 @@ namespace AnatomyCarve.Headless.Tests.Drawing
             {
                 if (kernel.Segments[p] == PictureData.NoSegment)
                     continue;
-                double difference = Math.Abs(actual[p] - kernel.DepthMm[p]);
+                double difference = Math.Abs((double)actual[p] - kernel.DepthMm[p]);
                 compared++;
                 if (difference > DepthLimitMm)
                     different++;

@@ -18,6 +18,7 @@ namespace AnatomyCarve.Desktop
         VolumeLoader loader;
 
         Text text;
+        VolumeLoader shown;
         string failure = "";
         int shownPercent;
 
@@ -33,27 +34,29 @@ namespace AnatomyCarve.Desktop
             text = GetComponent<Text>();
             text.text = failure = "";
             shownPercent = Unknown;
-            if (Loader == null)
+            shown = Loader;
+            if (shown == null)
                 return;
-            loader.Failed += OnFailed;
-            loader.Loaded += OnLoaded;
+            shown.Failed += OnFailed;
+            shown.Loaded += OnLoaded;
         }
 
         void Start() => enabled = this.Has(Loader, nameof(Loader));
 
         void OnDisable()
         {
-            if (loader != null)
+            if (shown != null)
             {
-                loader.Failed -= OnFailed;
-                loader.Loaded -= OnLoaded;
+                shown.Failed -= OnFailed;
+                shown.Loaded -= OnLoaded;
             }
+            shown = null;
             text.text = "";
         }
 
         void Update()
         {
-            int percent = loader.IsLoading ? Mathf.RoundToInt(100f * loader.Progress) : NotLoading;
+            int percent = shown != null && shown.IsLoading ? Mathf.RoundToInt(100f * shown.Progress) : NotLoading;
             if (percent == shownPercent)
                 return;
             shownPercent = percent;

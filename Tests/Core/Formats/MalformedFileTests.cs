@@ -13,7 +13,7 @@ namespace AnatomyCarve.Tests.Formats
     {
         const string Folder = "readers";
 
-        /// <summary>What reading a small damaged file may allocate in all; the limit for resident memory is 256 MB.</summary>
+        /// <summary>What reading a small damaged file may allocate in all: far more than they hold, far less than their headers claim.</summary>
         const long LargestAllocation = 64L << 20;
 
         static IEnumerable<string> Files() => SharedData.FilesIn(Folder, "malformed");

@@ -49,6 +49,22 @@ namespace AnatomyCarve.Desktop.Tests
         }
 
         [UnityTest]
+        public IEnumerator LoadingLabel_BesideALoader_NeedsNoWiring()
+        {
+            var loader = Make("Label").AddComponent<VolumeLoader>();
+            Text text = loader.gameObject.AddComponent<Text>();
+            var label = loader.gameObject.AddComponent<LoadingLabel>();
+            System.Threading.Tasks.Task load = loader.LoadAsync(new byte[] { 1, 2, 3 }, null, "broken.nrrd");
+            while (!load.IsCompleted)
+                yield return null;
+            yield return null;
+            yield return null;
+            Assert.That(text.text, Does.Contain("broken.nrrd"));
+            label.enabled = false;
+            Assert.That(text.text, Is.Empty);
+        }
+
+        [UnityTest]
         public IEnumerator LoadingLabel_TellsAFailure_UntilAVolumeIsThere()
         {
             var loader = Make("Loader").AddComponent<VolumeLoader>();

@@ -235,10 +235,16 @@ namespace AnatomyCarve.Desktop.Tests
             yield return Begin();
             view.SmoothTime = 0.01f;
             float scale = Time.timeScale;
-            Time.timeScale = 0f;
-            yield return Drag(MouseButton.Right, new Vector2(camera.pixelHeight / 4f, 0f));
-            yield return Pass(20);
-            Time.timeScale = scale;
+            try
+            {
+                Time.timeScale = 0f;
+                yield return Drag(MouseButton.Right, new Vector2(camera.pixelHeight / 4f, 0f));
+                yield return Pass(20);
+            }
+            finally
+            {
+                Time.timeScale = scale;
+            }
             Assert.That(view.Pose.Value.Yaw, Is.EqualTo(45f).Within(0.5f));
         }
 

@@ -11,7 +11,7 @@ namespace AnatomyCarve.Tests.Drawing
     /// <summary>Cameras' own pictures of volumes, read back.</summary>
     abstract class DrawnScene : PlayModeScene
     {
-        /// <summary>T30 of the measures: a code of an 8-bit picture.</summary>
+        /// <summary>A code of an 8-bit picture: what two ways of drawing the same may differ by.</summary>
         protected const float OneCode = 1f / 255f;
 
         readonly List<RenderTexture> targets = new List<RenderTexture>();

@@ -52,7 +52,9 @@ namespace AnatomyCarve.Tests.Kernels
                     return Opacities(rig, "_OpacityAAOut", grid, portable);
                 }
             }
-            Assert.That(Run(true), Is.EqualTo(Run(false)));
+            byte[] compact = Run(false);
+            Assert.That(compact, Has.Some.GreaterThan(0), "the field is not empty");
+            Assert.That(Run(true), Is.EqualTo(compact));
         }
 
         [Test]
@@ -72,7 +74,9 @@ namespace AnatomyCarve.Tests.Kernels
                     return portable ? KernelRig.Unpack(KernelRig.Read<uint>(target), grid, 2) : KernelRig.Read<byte>(target);
                 }
             }
-            Assert.That(Run(true), Is.EqualTo(Run(false)));
+            byte[] compact = Run(false);
+            Assert.That(compact, Has.Some.GreaterThan(0), "the field is not empty");
+            Assert.That(Run(true), Is.EqualTo(compact));
         }
 
         [Test]

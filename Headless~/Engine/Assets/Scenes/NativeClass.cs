@@ -34,8 +34,6 @@ namespace UnityEngine
 
         internal bool IsTransform => Is("Transform");
 
-        internal bool IsBehaviour => Is("Behaviour");
-
         internal bool IsSettings => Id is OcclusionCullingSettings or RenderSettings or LightmapSettings or NavMeshSettings;
 
         /// <summary>The class of a document.</summary>

@@ -63,8 +63,6 @@ namespace UnityEngine
 
         internal Dictionary<int, ConstantBufferValue> ConstantBuffers { get; } = new();
 
-        internal IEnumerable<int> ConstantNames => m_Constants.Keys;
-
         internal bool IsEmpty => m_Constants.Count == 0 && ConstantBuffers.Count == 0;
 
         internal void Remove(int name) => m_Constants.Remove(name);

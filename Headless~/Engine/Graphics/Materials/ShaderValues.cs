@@ -18,8 +18,6 @@ namespace UnityEngine
 
         internal bool IsEmpty => Numbers.IsEmpty && Resources.Textures.Count == 0 && Resources.Buffers.Count == 0;
 
-        internal IEnumerable<int> ColorNames => m_Colors.Keys;
-
         internal bool HasColor(int name) => m_Colors.ContainsKey(name);
 
         internal bool HasNumber(int name) => Numbers.TryGet(name, out _);

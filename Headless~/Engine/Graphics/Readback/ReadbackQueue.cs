@@ -22,9 +22,6 @@ namespace UnityEngine
 
         internal ReadbackQueue(GpuContext context) => m_Context = context;
 
-        /// <summary>How many are not done yet.</summary>
-        internal int PendingCount => m_Pending.Count;
-
         internal ReadbackOperation Enqueue(GpuTexture texture, int mip, in TexelBox box, FormatInfo asked, ReadbackOperation operation)
         {
             operation.Width = box.Width;

@@ -2,13 +2,12 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Threading;
-using AnatomyCarve.Formats;
 using AnatomyCarve.Volumes;
 
-namespace AnatomyCarve
+namespace AnatomyCarve.Formats
 {
     /// <summary>Reads a volume from its files, or from their content in memory, on any thread.</summary>
-    static class VolumeReading
+    public static class SegmentedVolumeReader
     {
         /// <summary>What each of the four steps counts in the progress of the whole.</summary>
         const float ReadIntensity = 0.3f, ConvertIntensity = 0.25f, ReadLabels = 0.2f, ConvertLabels = 0.25f;

@@ -3,13 +3,14 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Threading;
+using AnatomyCarve.Formats;
 using AnatomyCarve.Volumes;
 using NUnit.Framework;
 
 namespace AnatomyCarve.Tests.Components
 {
     /// <summary>Volumes from files, and from their content in memory.</summary>
-    sealed class VolumeReadingTests
+    sealed class SegmentedVolumeReaderTests
     {
         NrrdFiles files;
         string scan, labels;
@@ -29,8 +30,8 @@ namespace AnatomyCarve.Tests.Components
         [Test]
         public void Content_GivesTheVolumeOfTheFiles()
         {
-            SegmentedVolume ofFiles = VolumeReading.Read(scan, labels, CancellationToken.None, null);
-            SegmentedVolume ofContent = VolumeReading.Read(Content(scan, "a"), Content(labels, "b"), CancellationToken.None, null);
+            SegmentedVolume ofFiles = SegmentedVolumeReader.Read(scan, labels, CancellationToken.None, null);
+            SegmentedVolume ofContent = SegmentedVolumeReader.Read(Content(scan, "a"), Content(labels, "b"), CancellationToken.None, null);
             Assert.That(ofContent.Intensity.Codes, Is.EqualTo(ofFiles.Intensity.Codes));
             Assert.That(ofContent.Labels.Indices, Is.EqualTo(ofFiles.Labels.Indices));
             Assert.That(ofContent.Segments.Select(segment => segment.Label), Is.EqualTo(ofFiles.Segments.Select(segment => segment.Label)));
@@ -41,7 +42,7 @@ namespace AnatomyCarve.Tests.Components
         [Test]
         public void FileAndContent_MayBeMixed()
         {
-            SegmentedVolume volume = VolumeReading.Read(VolumeSource.OfFile(scan), Content(labels, "b"), CancellationToken.None, null);
+            SegmentedVolume volume = SegmentedVolumeReader.Read(VolumeSource.OfFile(scan), Content(labels, "b"), CancellationToken.None, null);
             Assert.That(volume.Segments.Count, Is.GreaterThan(1));
         }
 
@@ -50,7 +51,7 @@ namespace AnatomyCarve.Tests.Components
         {
             Assert.That(VolumeSource.OfFile(null), Is.Null);
             Assert.That(VolumeSource.OfFile(""), Is.Null);
-            SegmentedVolume volume = VolumeReading.Read(Content(scan, "a"), null, CancellationToken.None, null);
+            SegmentedVolume volume = SegmentedVolumeReader.Read(Content(scan, "a"), null, CancellationToken.None, null);
             Assert.That(volume.Segments.Count, Is.EqualTo(1));
         }
 
@@ -60,7 +61,7 @@ namespace AnatomyCarve.Tests.Components
             string text = File.ReadAllText(scan).Split(new[] { "\n\n" }, StringSplitOptions.None)[0];
             byte[] bytes = File.ReadAllBytes(scan);
             byte[] odd = System.Text.Encoding.ASCII.GetBytes(text + "\nunheard of: field\n\n").Concat(bytes.Skip(text.Length + 2)).ToArray();
-            SegmentedVolume volume = VolumeReading.Read(VolumeSource.OfContent(odd, "some folder/odd.nrrd"), null, CancellationToken.None, null);
+            SegmentedVolume volume = SegmentedVolumeReader.Read(VolumeSource.OfContent(odd, "some folder/odd.nrrd"), null, CancellationToken.None, null);
             Assert.That(volume.Warnings, Has.Count.EqualTo(1));
             Assert.That(volume.Warnings[0], Does.StartWith("odd.nrrd: "));
         }
@@ -69,20 +70,20 @@ namespace AnatomyCarve.Tests.Components
         public void Refusals_NameTheContent()
         {
             var refusal = Assert.Throws<VolumeFormatException>(
-                () => VolumeReading.Read(VolumeSource.OfContent(new byte[3], "folder/scan"), null, CancellationToken.None, null));
+                () => SegmentedVolumeReader.Read(VolumeSource.OfContent(new byte[3], "folder/scan"), null, CancellationToken.None, null));
             Assert.That(refusal.File, Is.EqualTo("folder/scan"));
             string other = files.WriteLabels("other.nrrd", Phantoms.Markers(13));
             var mismatch = Assert.Throws<VolumeMismatchException>(
-                () => VolumeReading.Read(Content(scan, "one"), Content(other, "two"), CancellationToken.None, null));
+                () => SegmentedVolumeReader.Read(Content(scan, "one"), Content(other, "two"), CancellationToken.None, null));
             Assert.That(mismatch.Message, Does.StartWith("two and one: "));
-            Assert.That(() => VolumeReading.Read((VolumeSource)null, null, CancellationToken.None, null), Throws.ArgumentNullException);
+            Assert.That(() => SegmentedVolumeReader.Read((VolumeSource)null, null, CancellationToken.None, null), Throws.ArgumentNullException);
         }
 
         [Test]
         public void Progress_Ascends_AndEndsAtOne([Values(false, true)] bool labelled)
         {
             var told = new Told();
-            VolumeReading.Read(Content(scan, "a"), labelled ? Content(labels, "b") : null, CancellationToken.None, told);
+            SegmentedVolumeReader.Read(Content(scan, "a"), labelled ? Content(labels, "b") : null, CancellationToken.None, told);
             Assert.That(told.Values, Is.Ordered);
             Assert.That(told.Values.Last(), Is.EqualTo(1f).Within(1e-5f));
         }

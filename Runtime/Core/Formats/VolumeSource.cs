@@ -1,13 +1,12 @@
 using System;
 using System.IO;
 using System.Threading;
-using AnatomyCarve.Formats;
 using AnatomyCarve.Volumes;
 
-namespace AnatomyCarve
+namespace AnatomyCarve.Formats
 {
     /// <summary>Where a scan or a segmentation comes from: a file, or a file's content that is in memory already. Immutable.</summary>
-    sealed class VolumeSource
+    public sealed class VolumeSource
     {
         readonly ReadOnlyMemory<byte>? content;
 
@@ -23,10 +22,12 @@ namespace AnatomyCarve
         /// <summary>What warnings call it: the name without folders.</summary>
         public string ShortName => Path.GetFileName(Name);
 
+        /// <summary>A file.</summary>
         /// <param name="path">The file; null or empty = there is none.</param>
         /// <returns>Null where there is none.</returns>
         public static VolumeSource OfFile(string path) => string.IsNullOrEmpty(path) ? null : new VolumeSource(path, null);
 
+        /// <summary>A file's content.</summary>
         /// <param name="content">All bytes of the file.</param>
         /// <param name="name">What messages call it.</param>
         public static VolumeSource OfContent(ReadOnlyMemory<byte> content, string name) => new VolumeSource(name, content);
