@@ -6,9 +6,7 @@ namespace AnatomyCarve
     /// <summary>The box that a volume fills, in its local space: a parallelepiped for grids that are rotated or sheared.</summary>
     static class VolumeBox
     {
-        /// <summary>Corner c lies at the low (bit 0) or high (bit 1) end of i (bit 0), j (bit 1), k (bit 2).</summary>
-        const int Corners = 8;
-
+        // Corners as VolumeGeometry.CornerOffset has them.
         static readonly int[] Faces =
         {
             0, 4, 6, 2, // low i; seen from outside clockwise where i, j, k are left-handed, as Unity's x, y, z
@@ -22,8 +20,8 @@ namespace AnatomyCarve
         /// <summary>The box as a mesh whose faces look outwards; destroy it when done.</summary>
         public static Mesh MakeMesh(VolumeGeometry geometry)
         {
-            var corners = new Vector3[Corners];
-            for (int c = 0; c < Corners; c++)
+            var corners = new Vector3[VolumeGeometry.Corners];
+            for (int c = 0; c < VolumeGeometry.Corners; c++)
                 corners[c] = Corner(geometry, c);
             var mesh = new Mesh { name = "AnatomyCarve volume box", hideFlags = HideFlags.HideAndDontSave };
             mesh.SetVertices(corners);
@@ -37,14 +35,13 @@ namespace AnatomyCarve
         public static Bounds BoundsIn(VolumeGeometry geometry, in Matrix4x4 localToSpace)
         {
             var bounds = new Bounds(localToSpace.MultiplyPoint3x4(Corner(geometry, 0)), Vector3.zero);
-            for (int c = 1; c < Corners; c++)
+            for (int c = 1; c < VolumeGeometry.Corners; c++)
                 bounds.Encapsulate(localToSpace.MultiplyPoint3x4(Corner(geometry, c)));
             return bounds;
         }
 
-        static Vector3 Corner(VolumeGeometry geometry, int corner) => VolumeSpace.LpsToLocal(geometry, geometry.IjkToLps.TransformPoint(new PointMm(
-            (corner & 1) == 0 ? -0.5 : geometry.SizeI - 0.5, (corner & 2) == 0 ? -0.5 : geometry.SizeJ - 0.5,
-            (corner & 4) == 0 ? -0.5 : geometry.SizeK - 0.5)));
+        static Vector3 Corner(VolumeGeometry geometry, int corner) =>
+            VolumeSpace.LpsToLocal(geometry, geometry.CentreLps + geometry.CornerOffset(corner));
 
         static bool IsLeftHanded(Vector3[] corners) =>
             Vector3.Dot(Vector3.Cross(corners[1] - corners[0], corners[2] - corners[0]), corners[4] - corners[0]) > 0f;

@@ -75,12 +75,9 @@ namespace AnatomyCarve.Editor
         void Extents(VolumeGeometry volume, out double right, out double up, out double depth)
         {
             right = up = depth = 0;
-            for (int corner = 0; corner < 8; corner++)
+            for (int corner = 0; corner < VolumeGeometry.Corners; corner++)
             {
-                VectorMm offset = volume.IjkToCentredMm.TransformPoint(new PointMm(
-                    (corner & 1) == 0 ? -0.5 : volume.SizeI - 0.5,
-                    (corner & 2) == 0 ? -0.5 : volume.SizeJ - 0.5,
-                    (corner & 4) == 0 ? -0.5 : volume.SizeK - 0.5)) - new PointMm(0, 0, 0);
+                VectorMm offset = volume.CornerOffset(corner);
                 right = Math.Max(right, Math.Abs(offset.Dot(RightLps)));
                 up = Math.Max(up, Math.Abs(offset.Dot(Camera.UpLps)));
                 depth = Math.Max(depth, Math.Abs(offset.Dot(Camera.TowardsEyeLps)));

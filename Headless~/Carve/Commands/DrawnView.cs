@@ -57,20 +57,12 @@ namespace AnatomyCarve.Headless.Cli.Commands
             return view.isStereo ? view.DrawEyes() : view.DrawMono(request.Project.ColorSpace);
         }
 
-        // From the centre to the farthest corner in metres, with a voxel more on each side.
+        // From the centre to the farthest corner in metres, and a voxel more.
         static float Reach(VolumeGeometry geometry)
         {
-            var map = geometry.IjkToCentredMm;
-            var farthest = 0.0;
-            for (var corner = 0; corner < 8; corner++)
-            {
-                var mm = map.TransformPoint(new PointMm(Side(corner & 1, geometry.SizeI), Side(corner & 2, geometry.SizeJ), Side(corner & 4, geometry.SizeK)));
-                farthest = Math.Max(farthest, new VectorMm(mm.X, mm.Y, mm.Z).Length);
-            }
-
-            return (float)(farthest / 1000);
-
-            static int Side(int bit, int voxels) => bit == 0 ? -1 : voxels;
+            var farthest = Enumerable.Range(0, VolumeGeometry.Corners).Max(corner => geometry.CornerOffset(corner).Length);
+            var spacing = geometry.SpacingMm;
+            return (float)((farthest + Math.Max(spacing.X, Math.Max(spacing.Y, spacing.Z))) / 1000);
         }
 
         Picture DrawMono(ColorSpace colorSpace)

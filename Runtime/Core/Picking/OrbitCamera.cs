@@ -70,12 +70,9 @@ namespace AnatomyCarve.Picking
             double tanY = Math.Tan(VerticalFovDegrees * (Math.PI / 360));
             double tanX = tanY * aspect;
             double distance = 0;
-            for (int corner = 0; corner < 8; corner++)
+            for (int corner = 0; corner < VolumeGeometry.Corners; corner++)
             {
-                VectorMm offset = volume.IjkToLps.TransformPoint(new PointMm(
-                    (corner & 1) == 0 ? -0.5 : volume.SizeI - 0.5,
-                    (corner & 2) == 0 ? -0.5 : volume.SizeJ - 0.5,
-                    (corner & 4) == 0 ? -0.5 : volume.SizeK - 0.5)) - volume.CentreLps;
+                VectorMm offset = volume.CornerOffset(corner);
                 double needed = Math.Max(Math.Abs(offset.Dot(right)) / tanX, Math.Abs(offset.Dot(UpLps)) / tanY);
                 distance = Math.Max(distance, needed * Margin + offset.Dot(TowardsEyeLps));
             }

@@ -8,6 +8,9 @@ namespace AnatomyCarve.Volumes
     /// </summary>
     public sealed class VolumeGeometry
     {
+        /// <summary>The corners of the box that a volume fills; see <see cref="CornerOffset"/>.</summary>
+        public const int Corners = 8;
+
         /// <summary>Axes whose unit vectors span less than this volume are taken for parallel.</summary>
         const double SmallestUnitDeterminant = 1e-6;
 
@@ -83,6 +86,11 @@ namespace AnatomyCarve.Volumes
                 return "An axis of the grid has no length, or an infinite one.";
             return Math.Abs(ijkToLps.Determinant) / volume < SmallestUnitDeterminant ? "Axes of the grid are parallel." : null;
         }
+
+        /// <summary>From the centre to a corner of the box that the volume fills, half a voxel beyond the voxels' centres, in LPS millimetres.</summary>
+        /// <param name="corner">0 to 7: bit 0 = the high end of i, bit 1 = of j, bit 2 = of k.</param>
+        public VectorMm CornerOffset(int corner) => IjkToCentredMm.TransformPoint(new PointMm(
+            (corner & 1) == 0 ? -0.5 : SizeI - 0.5, (corner & 2) == 0 ? -0.5 : SizeJ - 0.5, (corner & 4) == 0 ? -0.5 : SizeK - 0.5)) - default(PointMm);
 
         /// <summary>The unit vectors of the axes as the columns of a 3x3 matrix, LPS.</summary>
         /// <returns>A new array [row, column].</returns>

@@ -30,6 +30,17 @@ namespace AnatomyCarve.Tests.Volumes
         }
 
         [Test]
+        public void CornerOffset_LiesHalfAVoxelBeyondTheCentresOfVoxels()
+        {
+            // 4 x 3 x 2 voxels; i runs along -y with 2 mm, j along x with 1 mm, k along z with 5 mm; far from the origin.
+            var geometry = new VolumeGeometry(4, 3, 2, Affine.FromColumns(new VectorMm(0, -2, 0), new VectorMm(1, 0, 0), new VectorMm(0, 0, 5), new PointMm(1e6, 7, -9)));
+            Assert.That(geometry.CornerOffset(0), Is.EqualTo(new VectorMm(-1.5, 4, -5)));
+            Assert.That(geometry.CornerOffset(1), Is.EqualTo(new VectorMm(-1.5, -4, -5)));
+            Assert.That(geometry.CornerOffset(2), Is.EqualTo(new VectorMm(1.5, 4, -5)));
+            Assert.That(geometry.CornerOffset(7), Is.EqualTo(new VectorMm(1.5, -4, 5)));
+        }
+
+        [Test]
         public void Centre_IsTheMiddleOfTheFirstAndLastVoxelsCentres()
         {
             var geometry = new VolumeGeometry(3, 4, 5, Orientations.Grid("RAS", Spacing, new PointMm(10, 20, 30)));
