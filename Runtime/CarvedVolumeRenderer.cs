@@ -114,17 +114,19 @@ namespace AnatomyCarve
         /// <param name="camera">The camera; enabled or not.</param>
         /// <param name="width">Width in pixels; 0 = the camera's. Its projection is the camera's, so keep the camera's aspect.</param>
         /// <param name="height">Height in pixels; 0 = the camera's.</param>
-        /// <returns>The picture; null while there is nothing to show: no volume, a scale of 0, disabled, or a device that cannot (see <see cref="Problem"/>;
+        /// <returns>The picture; null while there is nothing to show: no volume, a scale of 0, no pixel, disabled, or a device that cannot (see <see cref="Problem"/>;
         /// it is tried again after <see cref="ReleaseResources"/>).</returns>
         /// <exception cref="ArgumentNullException"><paramref name="camera"/> is null.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">A side is longer than the device's textures.</exception>
         public CarvedPicture Render(Camera camera, int width = 0, int height = 0)
         {
             if (camera == null)
                 throw new ArgumentNullException(nameof(camera));
             VolumeInputs inputs = Inputs;
-            if (!IsShown(inputs) || !inputs.HasExtent)
+            (width, height) = (width > 0 ? width : camera.pixelWidth, height > 0 ? height : camera.pixelHeight);
+            if (width < 1 || height < 1 || !IsShown(inputs) || !inputs.HasExtent)
                 return null;
-            PictureRayBundle rays = CameraRays.Bundle(camera, inputs, width > 0 ? width : camera.pixelWidth, height > 0 ? height : camera.pixelHeight);
+            PictureRayBundle rays = CameraRays.Bundle(camera, inputs, width, height);
             return Slot.Render(inputs, rays, CountSamples, Slot.Gpu.Pictures.Of(camera));
         }
 
@@ -148,7 +150,7 @@ namespace AnatomyCarve
         void OnEnable()
         {
             surface = new VolumeSurface(gameObject);
-            cameras ??= new CameraEvents(gameObject, BeforeCamera);
+            cameras ??= new CameraEvents(this, BeforeCamera);
             cameras.Listen();
         }
 
@@ -159,14 +161,12 @@ namespace AnatomyCarve
             field.KeepOnly(volume);
             settings.KeepOnly(volume);
             Slot.Gpu?.Pictures.DropGone();
-            if (!Place(volume, transform.localToWorldMatrix)) // here already, so that the renderer's bounds are known before cameras cull
-                surface.Clear();
+            Place(volume, transform.localToWorldMatrix); // here already, so that the renderer's bounds are known before cameras cull
         }
 
         void OnDisable()
         {
             cameras.Stop();
-            surface.Clear();
             ReleaseResources();
             field.KeepOnly(null);
         }
@@ -184,12 +184,10 @@ namespace AnatomyCarve
             VolumeInputs inputs = Inputs;
             if (Place(inputs.Volume, inputs.ToWorld) && IsShown(inputs))
                 Slot.Bind(inputs);
-            else
-                surface.Clear();
         }
 
-        bool Place(SegmentedVolume volume, in Matrix4x4 toWorld) => drawInCameras && volume != null && VolumeSpace.WorldScale(toWorld) != 0
-            && Slot.Place(surface, volume, layout);
+        bool Place(SegmentedVolume volume, in Matrix4x4 toWorld) =>
+            Slot.Place(surface, drawInCameras && VolumeSpace.WorldScale(toWorld) != 0, volume, layout);
 
         bool IsShown(in VolumeInputs inputs) => isActiveAndEnabled && Slot.Update(inputs, layout) != null;
 

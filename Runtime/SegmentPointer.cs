@@ -85,7 +85,9 @@ namespace AnatomyCarve
 
         /// <summary>Points along a ray and remembers what is there.</summary>
         /// <param name="worldRay">The ray in world space.</param>
-        /// <returns>The first visible segment; <see cref="SegmentHit.None"/> where there is none within <see cref="MaxDistance"/>.</returns>
+        /// <returns>The first visible segment; <see cref="SegmentHit.None"/> where there is none within <see cref="MaxDistance"/>, and while the target is
+        /// disabled.</returns>
+        /// <exception cref="ArgumentException">The ray has no direction.</exception>
         public SegmentHit Point(Ray worldRay)
         {
             SegmentHit before = Current;
@@ -129,7 +131,7 @@ namespace AnatomyCarve
 
         SegmentHit Find(Ray worldRay)
         {
-            CarvedField field = Target != null ? Target.Field : null;
+            CarvedField field = Target != null && Target.isActiveAndEnabled ? Target.Field : null;
             if (field == null)
                 return SegmentHit.None;
             Matrix4x4 volumeToWorld = Target.transform.localToWorldMatrix;

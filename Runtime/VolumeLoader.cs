@@ -175,7 +175,10 @@ namespace AnatomyCarve
         void Publish(SegmentedVolume volume)
         {
             Volume = volume;
-            Loaded?.Invoke(volume);
+            if (Loaded != null)
+                foreach (Delegate listener in Loaded.GetInvocationList())
+                    if (Volume == volume) // an earlier one may have set another volume, of which all were told
+                        ((Action<SegmentedVolume>)listener)(volume);
             if (!Application.isPlaying)
                 EditorLink.RequestRefresh();
         }

@@ -11,6 +11,7 @@
 // What is the same for all pixels of an eye is computed at the box's corners and not interpolated.
 
 static const float MM_PER_METRE = 1000.0;
+static const float FARTHEST = 1e30;           // world units
 static const float LEAST_ALPHA = 0.5 / 255.0; // less is not seen, and must not write depth
 
 struct Attributes
@@ -44,31 +45,41 @@ float3 LocalToMm(float3 local) { return MM_PER_METRE * local.xzy; }
 // A row that is multiplied with (local, 1) as one that is multiplied with (centred mm, 1).
 float4 RowForMm(float4 row) { return float4(row.xzy / MM_PER_METRE, row.w); }
 
+float3x3 Inverse(float3x3 m)
+{
+    float3 a = cross(m[1], m[2]), b = cross(m[2], m[0]), c = cross(m[0], m[1]);
+    return transpose(float3x3(a, b, c)) / dot(m[0], a);
+}
+
 Varyings CarvedVolumeVertex(Attributes input)
 {
     Varyings output = (Varyings)0;
     UNITY_SETUP_INSTANCE_ID(input);
     UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(output);
-    float4x4 view = UNITY_MATRIX_V;
-    float4x4 localToView = mul(view, unity_ObjectToWorld);
-    float4x4 localToClip = mul(UNITY_MATRIX_P, localToView);
-    float parallel = UNITY_MATRIX_P[3][3] != 0.0 ? 1.0 : 0.0;
-    float3x3 viewToLocal = mul((float3x3)unity_WorldToObject, transpose((float3x3)view));
-    // Not _WorldSpaceCameraPos: that is where the camera's GameObject is, even where an eye or a view of the camera's own is elsewhere.
-    float3 eye = -mul(transpose((float3x3)view), float3(view[0][3], view[1][3], view[2][3]));
+    float4x4 p = UNITY_MATRIX_P;
+    float4x4 localToView = mul(UNITY_MATRIX_V, unity_ObjectToWorld);
+    float4x4 localToClip = mul(p, localToView);
+    float3x3 viewToLocal = Inverse((float3x3)localToView);
+
+    // As CameraRays has it, for any matrices that a camera may be given: where the projection's rays meet, which need not be the view's origin, and
+    // where they go. Not _WorldSpaceCameraPos: that is where the camera's GameObject is, even where an eye is drawn.
+    float parallel = p[3][2] == 0.0 ? 1.0 : 0.0;
+    float eyeZ = parallel > 0.0 ? 0.0 : -p[3][3] / p[3][2];
+    float2x2 clipToView = float2x2(p[1][1], -p[0][1], -p[1][0], p[0][0]) / (p[0][0] * p[1][1] - p[0][1] * p[1][0]);
+    float3 eye = float3(mul(clipToView, -float2(p[0][2] * eyeZ + p[0][3], p[1][2] * eyeZ + p[1][3])), eyeZ);
+    float3 forward = float3(mul(clipToView, float2(p[0][2], p[1][2])), -1.0);
 
     output.position = LocalToMm(input.position);
-    output.eye = float4(LocalToMm(mul(unity_WorldToObject, float4(eye, 1.0)).xyz), parallel);
-    output.forward = LocalToMm(-mul(viewToLocal, float3(0.0, 0.0, 1.0)));
-    output.depthRow = -RowForMm(localToView[2]);
+    output.eye = float4(LocalToMm(mul(viewToLocal, eye - float3(localToView[0][3], localToView[1][3], localToView[2][3]))), parallel);
+    output.forward = LocalToMm(mul(viewToLocal, forward));
+    output.depthRow = -RowForMm(localToView[2]) + float4(0.0, 0.0, 0.0, eyeZ);
     output.clipZRow = RowForMm(localToClip[2]);
     output.clipWRow = RowForMm(localToClip[3]);
     output.toLight = normalize(LocalToMm(mul(viewToLocal, _LightDirection.xyz)));
 
-    // The far plane must not cut faces off through which the volume is seen, and the near plane only what lies behind it: depth comes from
-    // the fragments. z = 0 at the near plane, below w everywhere.
+    // The planes must not cut faces off through which the volume is seen: they end the rays, and depth comes from the fragments.
     float4 clip = mul(localToClip, float4(input.position, 1.0));
-    clip.z = 0.5 * (parallel > 0.0 ? clip.w : clip.w - _ProjectionParams.y);
+    clip.z = 0.5 * clip.w;
     output.clipPosition = clip;
     return output;
 }
@@ -87,6 +98,15 @@ float4 InProjectsColorSpace(float4 premultiplied)
     return premultiplied;
 }
 
+// Narrows [nearT, farT] to where start + t * rate is positive.
+void ClipToPlane(float start, float rate, inout float nearT, inout float farT)
+{
+    if (rate > 0.0)
+        nearT = max(nearT, -start / rate);
+    else if (rate < 0.0)
+        farT = min(farT, -start / rate);
+}
+
 Fragment CarvedVolumeFragment(Varyings input)
 {
     UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(input);
@@ -102,7 +122,13 @@ Fragment CarvedVolumeFragment(Varyings input)
         direction = (input.position - input.eye.xyz) / depthHere;
         origin = input.eye.xyz;
     }
-    RayResult ray = MarchRay(origin, direction, _ProjectionParams.y, _ProjectionParams.z, input.toLight);
+    // The camera's planes, whose depth is reversed: z = w at the near one, 0 at the far one.
+    float nearT = -FARTHEST, farT = FARTHEST;
+    float4 from = float4(origin, 1.0);
+    float4 nearRow = input.clipWRow - input.clipZRow;
+    ClipToPlane(dot(nearRow, from), dot(nearRow.xyz, direction), nearT, farT);
+    ClipToPlane(dot(input.clipZRow, from), dot(input.clipZRow.xyz, direction), nearT, farT);
+    RayResult ray = MarchRay(origin, direction, nearT, farT, input.toLight);
     if (ray.color.a < LEAST_ALPHA)
         discard;
 

@@ -12,8 +12,8 @@ namespace UnityEngine.TestTools
     /// <summary>A test method that takes frames: what NUnit calls returns when the player loop has run it to its end.</summary>
     sealed class LoopMethod : IMethodInfo
     {
-        /// <summary>The result that NUnit is told to expect of an IEnumerator test.</summary>
-        internal static readonly object Completed = new();
+        /// <summary>The result that NUnit is told to expect of an IEnumerator test; in Unity, too, their cases are written with Returns(null).</summary>
+        internal const object Completed = null;
 
         const int DefaultTimeoutMs = 180000;
 

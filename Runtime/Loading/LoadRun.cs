@@ -51,8 +51,8 @@ namespace AnatomyCarve
             {
                 relay.Report(0f);
                 SegmentedVolume volume = await open(token, relay);
+                relay.Report(1f); // whoever is told may cancel
                 token.ThrowIfCancellationRequested();
-                relay.Report(1f);
                 return volume;
             }
             catch (Exception e) when (!(e is OperationCanceledException))

@@ -5,15 +5,15 @@ using UnityEngine.Rendering;
 namespace AnatomyCarve
 {
     /// <summary>
-    /// Tells that a camera which sees a GameObject's layer begins to render, after everything has moved and before it culls, in the Built-in pipeline and in
-    /// any other. Previews of the Inspector do not count.
+    /// Tells a component that a camera which sees its layer begins to render, after everything has moved and before it culls, in the Built-in pipeline and in
+    /// any other. Previews of the Inspector do not count, nor does a component that an earlier listener disabled or destroyed.
     /// </summary>
     sealed class CameraEvents
     {
-        readonly GameObject seen;
+        readonly Behaviour seen;
         readonly Action<Camera> begin;
 
-        public CameraEvents(GameObject seen, Action<Camera> begin)
+        public CameraEvents(Behaviour seen, Action<Camera> begin)
         {
             this.seen = seen;
             this.begin = begin;
@@ -35,7 +35,7 @@ namespace AnatomyCarve
 
         void Begin(Camera camera)
         {
-            if (camera.cameraType != CameraType.Preview && (camera.cullingMask & 1 << seen.layer) != 0)
+            if (seen != null && seen.isActiveAndEnabled && camera.cameraType != CameraType.Preview && (camera.cullingMask & 1 << seen.gameObject.layer) != 0)
                 begin(camera);
         }
     }

@@ -8,6 +8,7 @@ namespace AnatomyCarve
     /// <summary>
     /// The rays of a camera's picture in a volume's patient space. They come from the camera's projection and camera-to-world matrices, so
     /// orthographic, off-centre and per-eye cameras are right, and so is a volume that is rotated or scaled, evenly or not.
+    /// An oblique near plane counts at the depth at which the picture's middle meets it.
     /// t counts the depth along the camera's view in world units, from the camera (from its near plane where that lies behind the camera).
     /// </summary>
     public static class CameraRays

@@ -13,10 +13,10 @@ namespace AnatomyCarve
         /// <summary>The field as it would be shown now; null where there is no volume.</summary>
         public CarvedField Of(in VolumeInputs inputs)
         {
+            KeepOnly(inputs.Volume);
             if (inputs.Volume == null)
                 return null;
-            if (field == null || field.Volume != inputs.Volume)
-                field = new CarvedField(inputs.Volume);
+            field ??= new CarvedField(inputs.Volume);
             field.Update(
                 inputs.Carving ?? (IReadOnlyList<ClipSphere>)Array.Empty<ClipSphere>(), inputs.TransferFunction, inputs.Segments,
                 inputs.Quality.CutMode, inputs.Quality.AntiAliasSettings);

@@ -70,8 +70,6 @@ namespace AnatomyCarve
         {
             if (made == null)
                 return;
-            if (made is RenderTexture texture)
-                texture.Release();
             if (Application.isPlaying && !EditorLink.IsPaused)
                 Object.Destroy(made);
             else

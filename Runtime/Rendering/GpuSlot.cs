@@ -16,6 +16,7 @@ namespace AnatomyCarve
         SegmentedVolume refused;
         TextureLayout layout;
         VolumeDrawing drawing;
+        VolumeSurface shownOn;
         RenderPipelineAsset pipeline;
         bool isPipelineKnown;
         string volumeProblem, pipelineProblem, drawingProblem, pictureProblem;
@@ -72,33 +73,16 @@ namespace AnatomyCarve
         }
 
         /// <summary>
-        /// Gives a surface the volume's box and material, if the render pipeline and the device draw volumes. Nothing goes to the GPU yet.
+        /// Has a surface show the volume's box, if it is wanted and the render pipeline and the device draw volumes; else it shows nothing. Nothing goes to the
+        /// GPU yet.
         /// </summary>
         /// <returns>Whether cameras can draw it.</returns>
-        public bool Place(VolumeSurface surface, SegmentedVolume volume, TextureLayout wanted)
+        public bool Place(VolumeSurface surface, bool isWanted, SegmentedVolume volume, TextureLayout wanted)
         {
-            if (!IsPipelineSupported() || !IsPossible(volume, wanted) || drawingProblem != null)
-                return false;
-            if (drawing == null)
-            {
-                string problem = DeviceSupport.Missing(volume.Geometry, DeviceSupport.Choose(layout));
-                if (problem != null)
-                {
-                    Refuse(volume, problem);
-                    return false;
-                }
-            }
-            try
-            {
-                drawing ??= new VolumeDrawing(AnatomyCarveShaders.LoadOrThrow(), volume.Geometry);
-                drawing.Place(surface);
-                return true;
-            }
-            catch (Exception e) when (IsRefusal(e))
-            {
-                Say(ref drawingProblem, $"This volume cannot be drawn by cameras. {Sentence(e)}");
-                return false;
-            }
+            bool isPlaced = isWanted && IsPipelineSupported() && IsPossible(volume, wanted) && drawingProblem == null && Show(surface, volume);
+            if (!isPlaced)
+                surface.Clear();
+            return isPlaced;
         }
 
         /// <summary>Has cameras draw the volume as it is on the GPU. It was placed before.</summary>
@@ -116,6 +100,8 @@ namespace AnatomyCarve
         {
             Gpu?.Dispose();
             Gpu = null;
+            shownOn?.Clear(); // what is shown there goes now
+            shownOn = null;
             drawing?.Dispose();
             drawing = null;
             refused = null;
@@ -129,6 +115,28 @@ namespace AnatomyCarve
             e is AnatomyCarveException || e is ArgumentException || e is UnityException || e is OutOfMemoryException;
 
         static string Sentence(Exception e) => e is AnatomyCarveException ? e.Message : $"The device could not take it: {e.Message}";
+
+        bool Show(VolumeSurface surface, SegmentedVolume volume)
+        {
+            string problem = drawing == null ? DeviceSupport.Missing(volume.Geometry, DeviceSupport.Choose(layout)) : null;
+            if (problem != null)
+            {
+                Refuse(volume, problem);
+                return false;
+            }
+            try
+            {
+                drawing ??= new VolumeDrawing(AnatomyCarveShaders.LoadOrThrow(), volume.Geometry);
+                drawing.Place(surface);
+                shownOn = surface;
+                return true;
+            }
+            catch (Exception e) when (IsRefusal(e))
+            {
+                Say(ref drawingProblem, $"This volume cannot be drawn by cameras. {Sentence(e)}");
+                return false;
+            }
+        }
 
         bool IsPossible(SegmentedVolume volume, TextureLayout wanted)
         {

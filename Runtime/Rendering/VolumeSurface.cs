@@ -16,6 +16,7 @@ namespace AnatomyCarve
                 filter = owner.AddComponent<MeshFilter>();
             if (!owner.TryGetComponent(out renderer))
                 renderer = owner.AddComponent<MeshRenderer>();
+            Clear(); // a clone has its original's
             renderer.shadowCastingMode = ShadowCastingMode.Off; // the shader has no pass for them
             renderer.receiveShadows = false;
         }

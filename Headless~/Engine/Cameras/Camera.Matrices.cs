@@ -55,7 +55,7 @@ namespace UnityEngine
             var start = Unproject(p, pos, nearZ);
             var isPerspective = p.m32 != 0f;
             var toWorld = view.View.inverse;
-            return new Ray(toWorld.MultiplyPoint3x4(start), toWorld.MultiplyVector(isPerspective ? start * Mathf.Sign(-nearZ) : Vector3.back));
+            return new Ray(toWorld.MultiplyPoint3x4(start), toWorld.MultiplyVector(isPerspective ? start / -nearZ : Vector3.back));
         }
 
         public Ray ScreenPointToRay(Vector3 pos) => ViewportPointToRay(ScreenToViewportPoint(pos));

@@ -94,6 +94,11 @@ namespace UnityEngine
             foreach (var root in LoadedScenes.Roots)
                 if (Object.IsAlive(root))
                     Destruction.Now(root.Owner);
+            while (Destruction.RunScheduled())
+            {
+                // What OnDisable and OnDestroy asked for, and what these asked for in turn.
+            }
+
             AssetLibrary.Unload();
             var leaks = ObjectRegistry.Snapshot();
             var report = leaks.Select(o => $"{o.GetType().Name} '{o.NameForMessages}'").ToArray();

@@ -11,13 +11,15 @@ namespace UnityEngine
         internal static void Schedule(Object obj, float delay) => s_Scheduled.Add((obj, Time.timeAsDouble + delay));
 
         /// <summary>Destroys what is due; called once per frame between LateUpdate and rendering.</summary>
-        internal static void RunScheduled()
+        /// <returns>Whether anything was.</returns>
+        internal static bool RunScheduled()
         {
             var due = s_Scheduled.FindAll(s => s.Due <= Time.timeAsDouble);
             s_Scheduled.RemoveAll(s => s.Due <= Time.timeAsDouble);
             foreach (var (target, _) in due)
                 if (Object.IsAlive(target))
                     Now(target);
+            return due.Count > 0;
         }
 
         internal static void Forget() => s_Scheduled.Clear();

@@ -14,6 +14,12 @@ namespace AnatomyCarve.Volumes
         /// <summary>The number of entries of <see cref="Lookup"/>.</summary>
         public const int LookupSize = 4096;
 
+        /// <summary>The range of a lookup that is nothing but a step, as a share of the step's value; kernels compute places in it with floats.</summary>
+        const double SmallestRange = 1e-4;
+
+        /// <summary>Stands for a step's value that is 0.</summary>
+        const double SmallestValue = 10;
+
         readonly TransferPoint[] points;
 
         /// <summary>Makes a function from its points, in any order; points of one value keep their order.</summary>
@@ -32,8 +38,22 @@ namespace AnatomyCarve.Volumes
         /// <summary>The value of the lookup's first entry: the first point's.</summary>
         public double LookupMin => points[0].Value;
 
-        /// <summary>The value of the lookup's last entry: the last point's; equal to <see cref="LookupMin"/> for a constant.</summary>
-        public double LookupMax => points[points.Length - 1].Value;
+        /// <summary>
+        /// The value of the lookup's last entry: the last point's; equal to <see cref="LookupMin"/> for a constant. Where the function ends with a step
+        /// it is a little larger, as what lies behind a step needs an entry of its own.
+        /// </summary>
+        public double LookupMax
+        {
+            get
+            {
+                if (!EndsWithStep)
+                    return Last.Value;
+                double range = Last.Value - LookupMin;
+                return range > 0
+                    ? Last.Value + range / (LookupSize - 2) // the last entry but one is the step's
+                    : LookupMin + SmallestRange * (LookupMin != 0 ? Math.Abs(LookupMin) : SmallestValue);
+            }
+        }
 
         /// <summary>The function that is the same everywhere.</summary>
         /// <param name="opacity">0 to 1.</param>
@@ -91,13 +111,18 @@ namespace AnatomyCarve.Volumes
         public float[] Lookup()
         {
             var table = new float[LookupSize];
-            for (int entry = 0; entry < LookupSize; entry++)
+            for (int entry = 0; entry < LookupSize - 1; entry++)
                 table[entry] = (float)OpacityAt(LookupMin + (LookupMax - LookupMin) * entry / (LookupSize - 1));
+            table[LookupSize - 1] = (float)Last.Opacity; // also that of all larger values
             return table;
         }
 
         /// <summary>The points as <see cref="Parse"/> reads them.</summary>
         public override string ToString() => string.Join(",", points);
+
+        TransferPoint Last => points[points.Length - 1];
+
+        bool EndsWithStep => points.Length > 1 && points[points.Length - 2].Value == Last.Value && OpacityAt(Last.Value) != Last.Opacity;
 
         static bool TryNumber(string text, out double number) =>
             double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out number);

@@ -2,6 +2,7 @@ using System;
 using System.Globalization;
 using System.Linq;
 using System.Threading;
+using AnatomyCarve.Carving;
 using AnatomyCarve.Volumes;
 using NUnit.Framework;
 
@@ -28,6 +29,22 @@ namespace AnatomyCarve.Tests.Volumes
             OpacityTransferFunction function = OpacityTransferFunction.Parse("0:0,100:0.1,100:0.9,200:1");
             Assert.That(function.OpacityAt(100), Is.EqualTo(0.1));
             Assert.That(function.OpacityAt(100.000001), Is.EqualTo(0.9).Within(1e-6));
+        }
+
+        [TestCase("0:0,300:0,300:1")]
+        [TestCase("300:0,300:1")]
+        [TestCase("300:1,300:0")]
+        [TestCase("0:0,300:0.2,300:0.9")]
+        [TestCase("300:1,300:0,2000:0")]
+        [TestCase("0:0,0:1")]
+        [TestCase("-900:0.5,-900:0")]
+        public void Step_AtAnEnd_IsThatOfTheLookupToo(string text)
+        {
+            OpacityTransferFunction function = OpacityTransferFunction.Parse(text);
+            var ct = new IntensityVolume(new VolumeGeometry(1, 1, 1, Affine.Identity), new ushort[1], -1024, 1, 3000);
+            var lookup = new OpacityLookup(function, ct);
+            foreach (double value in new double[] { -1024, -901, -900, -899, -1, 0, 1, 150, 299, 300, 301, 500, 2500 })
+                Assert.That(lookup.OpacityOf((ushort)(value + 1024)), Is.EqualTo(function.OpacityAt(value)).Within(0.02), $"{value}");
         }
 
         [Test]

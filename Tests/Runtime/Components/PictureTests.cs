@@ -14,6 +14,16 @@ namespace AnatomyCarve.Tests.Components
     sealed class PictureTests : PlayModeScene
     {
         [Test]
+        public void Render_OfACameraWithoutAPixel_GivesNoPicture()
+        {
+            CarvedVolumeRenderer renderer = MakeVolume(Phantoms.Markers());
+            Camera camera = MakeCamera(new Vector3(0f, 0f, -0.08f), Vector3.up);
+            camera.rect = new Rect(0f, 0f, 0f, 1f);
+            Assert.That(renderer.Render(camera), Is.Null);
+            Assert.That(renderer.Problem, Is.Null);
+        }
+
+        [Test]
         public void Cameras_Two_HavePicturesOfTheirOwn()
         {
             CarvedVolumeRenderer renderer = MakeVolume(Phantoms.Markers());

@@ -100,6 +100,18 @@ namespace AnatomyCarve.Tests.Components
         }
 
         [Test]
+        public void Point_AtADisabledRenderer_FindsNothing()
+        {
+            CarvedVolumeRenderer renderer = MakeVolume(Phantoms.Markers());
+            SegmentPointer pointer = Make("Pointer").AddComponent<SegmentPointer>();
+            pointer.Target = renderer;
+            var ray = new Ray(new Vector3(0f, 0f, -0.1f), Vector3.forward);
+            Assert.That(pointer.Point(ray).Hit, Is.True);
+            renderer.enabled = false;
+            Assert.That(pointer.Point(ray).Hit, Is.False, "nothing is shown");
+        }
+
+        [Test]
         public void Point_WithoutATargetOrVolume_FindsNothing()
         {
             SegmentPointer pointer = Make("Pointer").AddComponent<SegmentPointer>();

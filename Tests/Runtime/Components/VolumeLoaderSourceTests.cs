@@ -1,10 +1,13 @@
+using System;
 using System.Collections;
 using System.IO;
+using System.Threading;
 using System.Threading.Tasks;
 using AnatomyCarve.Volumes;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.TestTools;
+using Object = UnityEngine.Object;
 
 namespace AnatomyCarve.Tests.Components
 {
@@ -13,6 +16,7 @@ namespace AnatomyCarve.Tests.Components
     {
         static readonly SegmentedVolume Patient = Phantoms.Markers(20);
 
+        readonly Thread main = Thread.CurrentThread;
         NrrdFiles files;
         VolumeLoader loader;
         VolumeAsset asset;
@@ -40,6 +44,51 @@ namespace AnatomyCarve.Tests.Components
             AssertIsPatient(load.Result);
             Assert.That(loader.Volume, Is.SameAs(load.Result));
             Assert.That(loader.Progress, Is.EqualTo(1f));
+        }
+
+        [UnityTest]
+        public IEnumerator Volume_SetInALoadsLastProgress_Stays()
+        {
+            SegmentedVolume other = Phantoms.Cube(8, "Cube");
+            bool set = false;
+            Task<SegmentedVolume> load = loader.LoadAsync(asset, default, new Reporter(share =>
+            {
+                if (share == 1f && Thread.CurrentThread == main)
+                {
+                    loader.SetVolume(other);
+                    set = true;
+                }
+            }));
+            while (!load.IsCompleted)
+                yield return null;
+            Assert.That(set, Is.True, "the last progress is told on the main thread");
+            Assert.That(load.IsCanceled, Is.True);
+            Assert.That(loader.Volume, Is.SameAs(other));
+        }
+
+        [Test]
+        public void Listeners_BehindOneThatSetsAnotherVolume_AreToldOfThatOneLast()
+        {
+            SegmentedVolume other = Phantoms.Cube(8, "Cube");
+            SegmentedVolume last = null;
+            loader.Loaded += volume =>
+            {
+                if (volume != other)
+                    loader.SetVolume(other);
+            };
+            loader.Loaded += volume => last = volume;
+            loader.SetVolume(Patient);
+            Assert.That(last, Is.SameAs(other));
+            Assert.That(loader.Volume, Is.SameAs(other));
+        }
+
+        sealed class Reporter : IProgress<float>
+        {
+            readonly Action<float> report;
+
+            public Reporter(Action<float> report) => this.report = report;
+
+            public void Report(float value) => report(value);
         }
 
         [UnityTest]

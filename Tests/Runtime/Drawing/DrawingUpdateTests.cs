@@ -63,6 +63,87 @@ namespace AnatomyCarve.Tests.Drawing
         }
 
         [UnityTest]
+        public IEnumerator Renderer_EndedByAnEarlierListener_LeavesNothing([Values("disable", "destroy")] string deed)
+        {
+            CarvedVolumeRenderer renderer = null;
+            void End(Camera camera)
+            {
+                if (deed == "disable")
+                    renderer.enabled = false;
+                else
+                    UnityEngine.Object.DestroyImmediate(renderer);
+            }
+            Camera.onPreCull += End; // before the renderer's own
+            try
+            {
+                renderer = MakeVolume(Phantoms.Markers());
+                Camera camera = MakeDrawingCamera(new Vector3(0f, 0f, -0.08f), Vector3.up);
+                MeshFilter filter = renderer.GetComponent<MeshFilter>();
+                yield return null;
+                Assert.That(CountDrawn(Draw(camera), camera), Is.Zero);
+                Assert.That(filter.sharedMesh == null, Is.True);
+                Assert.That(CountGpuObjects(), Is.Zero);
+            }
+            finally
+            {
+                Camera.onPreCull -= End;
+            }
+        }
+
+        [Test]
+        public void Resources_ReleasedAfterTheVolumeWasPlaced_AreNotDrawnWith()
+        {
+            CarvedVolumeRenderer renderer = MakeVolume(Phantoms.Markers());
+            void Release(Camera camera) => renderer.ReleaseResources();
+            Camera.onPreCull += Release; // after the renderer's own
+            try
+            {
+                Camera camera = MakeDrawingCamera(new Vector3(0f, 0f, -0.08f), Vector3.up);
+                Assert.That(CountDrawn(Draw(camera), camera), Is.Zero);
+            }
+            finally
+            {
+                Camera.onPreCull -= Release;
+            }
+        }
+
+        [Test]
+        public void Resources_ReleasedBetweenCullingAndDrawing_DoNoHarm()
+        {
+            CarvedVolumeRenderer renderer = MakeVolume(Phantoms.Markers());
+            Camera camera = MakeDrawingCamera(new Vector3(0f, 0f, -0.08f), Vector3.up);
+            int whole = CountDrawn(Draw(camera), camera);
+            void Disable(Camera c) => renderer.enabled = false;
+            Camera.onPreRender += Disable;
+            try
+            {
+                Draw(camera); // with what was culled, or without it
+            }
+            finally
+            {
+                Camera.onPreRender -= Disable;
+            }
+            Assert.That(CountDrawn(Draw(camera), camera), Is.Zero);
+            renderer.enabled = true;
+            Assert.That(CountDrawn(Draw(camera), camera), Is.EqualTo(whole));
+        }
+
+        [UnityTest]
+        public IEnumerator Clone_OfARendererThatGoes_DrawsWithItsOwn()
+        {
+            CarvedVolumeRenderer renderer = MakeVolume(Phantoms.Markers());
+            Camera camera = MakeDrawingCamera(new Vector3(0f, 0f, -0.08f), Vector3.up);
+            int whole = CountDrawn(Draw(camera), camera);
+            GameObject clone = Own(UnityEngine.Object.Instantiate(renderer.gameObject));
+            SegmentedVolume volume = renderer.Volume;
+            UnityEngine.Object.DestroyImmediate(renderer.gameObject);
+            Assert.That(CountDrawn(Draw(camera), camera), Is.Zero, "it has no volume yet");
+            clone.GetComponent<VolumeLoader>().SetVolume(volume);
+            yield return null;
+            Assert.That(CountDrawn(Draw(camera), camera), Is.EqualTo(whole));
+        }
+
+        [UnityTest]
         public IEnumerator Mesh_AndMaterial_AreThereBeforeACameraBegins()
         {
             CarvedVolumeRenderer renderer = MakeVolume(Phantoms.Markers());
