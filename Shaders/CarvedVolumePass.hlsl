@@ -45,7 +45,8 @@ float3 LocalToMm(float3 local) { return MM_PER_METRE * local.xzy; }
 // A row that is multiplied with (local, 1) as one that is multiplied with (centred mm, 1).
 float4 RowForMm(float4 row) { return float4(row.xzy / MM_PER_METRE, row.w); }
 
-float3x3 Inverse(float3x3 m)
+// The inverse of a map from local space to the view.
+float3x3 ViewToLocal(float3x3 m)
 {
     float3 a = cross(m[1], m[2]), b = cross(m[2], m[0]), c = cross(m[0], m[1]);
     return transpose(float3x3(a, b, c)) / dot(m[0], a);
@@ -59,7 +60,7 @@ Varyings CarvedVolumeVertex(Attributes input)
     float4x4 p = UNITY_MATRIX_P;
     float4x4 localToView = mul(UNITY_MATRIX_V, unity_ObjectToWorld);
     float4x4 localToClip = mul(p, localToView);
-    float3x3 viewToLocal = Inverse((float3x3)localToView);
+    float3x3 viewToLocal = ViewToLocal((float3x3)localToView);
 
     // As CameraRays has it, for any matrices that a camera may be given: where the projection's rays meet, which need not be the view's origin, and
     // where they go. Not _WorldSpaceCameraPos: that is where the camera's GameObject is, even where an eye is drawn.
