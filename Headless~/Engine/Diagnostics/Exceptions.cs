@@ -44,25 +44,4 @@ namespace UnityEngine
         {
         }
     }
-
-    /// <summary>A component was used that its GameObject does not have.</summary>
-    [Serializable]
-    public class MissingComponentException : SystemException
-    {
-        public MissingComponentException() : base("A Unity Runtime error occurred!")
-        {
-        }
-
-        public MissingComponentException(string message) : base(message)
-        {
-        }
-
-        public MissingComponentException(string message, Exception innerException) : base(message, innerException)
-        {
-        }
-
-        protected MissingComponentException(SerializationInfo info, StreamingContext context) : base(info, context)
-        {
-        }
-    }
 }

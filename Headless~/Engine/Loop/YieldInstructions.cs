@@ -35,31 +35,6 @@ namespace UnityEngine
         }
     }
 
-    /// <summary>Waits for real time, from the first time it is asked; reusable.</summary>
-    public class WaitForSecondsRealtime : CustomYieldInstruction
-    {
-        double m_Until = -1.0;
-
-        public WaitForSecondsRealtime(float time) => waitTime = time;
-
-        public float waitTime { get; set; }
-
-        public override bool keepWaiting
-        {
-            get
-            {
-                if (m_Until < 0.0)
-                    m_Until = Time.realtimeSinceStartupAsDouble + waitTime;
-                var wait = Time.realtimeSinceStartupAsDouble < m_Until;
-                if (!wait)
-                    Reset();
-                return wait;
-            }
-        }
-
-        public override void Reset() => m_Until = -1.0;
-    }
-
     /// <summary>Which clock a time-out goes by.</summary>
     public enum WaitTimeoutMode
     {
@@ -79,20 +54,6 @@ namespace UnityEngine
             m_Timeout = new WaitTimeout(timeout, onTimeout, timeoutMode);
 
         public override bool keepWaiting => m_Timeout is not { IsOver: true } && !m_Predicate();
-    }
-
-    /// <summary>Waits while a condition holds.</summary>
-    public sealed class WaitWhile : CustomYieldInstruction
-    {
-        readonly Func<bool> m_Predicate;
-        readonly WaitTimeout m_Timeout;
-
-        public WaitWhile(Func<bool> predicate) => m_Predicate = predicate;
-
-        public WaitWhile(Func<bool> predicate, TimeSpan timeout, Action onTimeout, WaitTimeoutMode timeoutMode = WaitTimeoutMode.Realtime) : this(predicate) =>
-            m_Timeout = new WaitTimeout(timeout, onTimeout, timeoutMode);
-
-        public override bool keepWaiting => m_Timeout is not { IsOver: true } && m_Predicate();
     }
 
     /// <summary>The end of patience of a wait, announced once.</summary>

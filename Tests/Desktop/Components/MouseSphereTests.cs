@@ -163,13 +163,7 @@ namespace AnatomyCarve.Desktop.Tests
         public IEnumerator View_ThatTurnsDuringADrag_LeavesTheSphereWhereItIs()
         {
             yield return Begin(false);
-            volume.Stack.SetActive(Vector3.zero, 0.006f);
-            Vector2 at = ScreenOf(Vector3.zero);
-            MoveTo(at);
-            Press(Key.LeftShift);
-            yield return Pass();
-            MoveTo(at + new Vector2(20f, 0f));
-            yield return Pass();
+            yield return BeginDrag();
             Vector3 before = Sphere.Centre;
             camera.transform.RotateAround(Vector3.zero, Vector3.up, 30f);
             yield return Pass(2);

@@ -99,13 +99,8 @@ namespace AnatomyCarve.Desktop.Tests
         public IEnumerator Disabled_DoesNothing_AndEndsItsDrag()
         {
             yield return Begin(false);
-            volume.Stack.SetActive(Vector3.zero, 0.006f);
+            yield return BeginDrag();
             Vector2 at = ScreenOf(Vector3.zero);
-            MoveTo(at);
-            Press(Key.LeftShift);
-            yield return Pass();
-            MoveTo(at + new Vector2(20f, 0f));
-            yield return Pass();
             mouseSphere.enabled = false;
             int version = Carving.Version;
             MoveTo(at + new Vector2(60f, 0f));
@@ -122,13 +117,8 @@ namespace AnatomyCarve.Desktop.Tests
         public IEnumerator Volume_ThatIsReplacedDuringADrag_EndsIt()
         {
             yield return Begin(false);
-            volume.Stack.SetActive(Vector3.zero, 0.006f);
+            yield return BeginDrag();
             Vector2 at = ScreenOf(Vector3.zero);
-            MoveTo(at);
-            Press(Key.LeftShift);
-            yield return Pass();
-            MoveTo(at + new Vector2(20f, 0f));
-            yield return Pass();
             volume.Loader.Unload();
             MoveTo(at + new Vector2(30f, 0f));
             yield return Pass(2);

@@ -54,6 +54,18 @@ namespace AnatomyCarve.Desktop.Tests
             yield return Pass();
         }
 
+        /// <summary>A sphere in the middle of the block, held and dragged 20 pixels to the right; it is still held.</summary>
+        protected IEnumerator BeginDrag()
+        {
+            volume.Stack.SetActive(Vector3.zero, 0.006f);
+            Vector2 at = ScreenOf(Vector3.zero);
+            MoveTo(at);
+            Press(Key.LeftShift);
+            yield return Pass();
+            MoveTo(at + new Vector2(20f, 0f));
+            yield return Pass();
+        }
+
         protected Vector2 ScreenOf(Vector3 world) => camera.WorldToScreenPoint(world);
     }
 }

@@ -12,14 +12,6 @@ namespace UnityEngine
         Structured = 16,
         IndirectArguments = 256,
     }
-
-    /// <summary>How a compute buffer is written from the CPU.</summary>
-    public enum ComputeBufferMode
-    {
-        Immutable = 0,
-        Dynamic = 1,
-        SubUpdates = 4,
-    }
 }
 
 namespace UnityEngine.Rendering
@@ -78,13 +70,5 @@ namespace UnityEngine.Rendering
         BuiltinDefault = 2,
         UserDefined = 16,
         Plugin = 32,
-    }
-
-    /// <summary>Where a command buffer may run.</summary>
-    [System.Flags]
-    public enum CommandBufferExecutionFlags
-    {
-        None = 0,
-        AsyncCompute = 2,
     }
 }

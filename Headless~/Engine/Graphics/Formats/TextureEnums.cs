@@ -101,12 +101,4 @@ namespace UnityEngine.Rendering
         Stencil = 2,
         Default = 3,
     }
-
-    /// <summary>How shadow maps are sampled.</summary>
-    public enum ShadowSamplingMode
-    {
-        CompareDepths = 0,
-        RawDepth = 1,
-        None = 2,
-    }
 }
