@@ -1,0 +1,36 @@
+using System;
+using System.Text.Json.Nodes;
+using System.Threading;
+
+namespace AnatomyCarve.Headless.Cli.Bench.Measures
+{
+    /// <summary>One line of the benchmark: a quantity and the way to measure it.</summary>
+    interface IMeasure
+    {
+        Quantity Quantity { get; }
+
+        /// <summary>Measures. Counts and errors are the same in every run; times are ratios of two that were taken by turns in this one.</summary>
+        Outcome Run(MeasureContext context);
+    }
+
+    /// <summary>What is measured, and what is aimed at.</summary>
+    /// <param name="Id">its id: P1, P2, ...</param>
+    /// <param name="What">in words</param>
+    /// <param name="Unit">unit of all its values: "%", "voxels", "degrees", "new/old", ...</param>
+    /// <param name="Goals">the goal of each value, in the values' order</param>
+    /// <param name="AtLeast">whether values are to be the goal at least; otherwise at most</param>
+    sealed record Quantity(string Id, string What, string Unit, double[] Goals, bool AtLeast = false);
+
+    /// <summary>What was found.</summary>
+    /// <param name="Values">one number per goal; null = it was not measured</param>
+    /// <param name="Scene">the scene's name, with volume, camera, spheres and moves as the scene file has them</param>
+    /// <param name="Settings">whatever else decides the values</param>
+    /// <param name="Reason">why it was not measured; null = it was</param>
+    sealed record Outcome(double[] Values, string Scene, JsonObject Settings, string Reason = null)
+    {
+        public static Outcome NotMeasured(string reason) => new(null, null, null, reason);
+    }
+
+    /// <summary>What a measure may use. There is one engine per process; measures run one after another.</summary>
+    sealed record MeasureContext(BenchStage Stage, IProgress<float> Progress, CancellationToken Cancellation);
+}
