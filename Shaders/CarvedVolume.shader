@@ -13,6 +13,7 @@ Shader "AnatomyCarve/Carved Volume"
         [HideInInspector] _Opacity("Opacity", 3D) = "" {}
         [HideInInspector] _OpacityAA("Anti-aliased opacity", 3D) = "" {}
         [HideInInspector] _Normals("Normals", 3D) = "" {}
+        [HideInInspector] _SkipMap("Skip map", 3D) = "" {}
         [HideInInspector] _Labels("Labels", 3D) = "" {}
         [HideInInspector] _SegmentColors("Segment colours", 2D) = "" {}
         [HideInInspector] _VolumeDims("Voxels", Vector) = (0, 0, 0, 0)
@@ -27,6 +28,7 @@ Shader "AnatomyCarve/Carved Volume"
         [HideInInspector] _IntensityToLookup("Intensity to lookup", Vector) = (0, 0, 0, 0)
         [HideInInspector] _CarveCounts("Counts", Vector) = (0, 0, 0, 0)
         [HideInInspector] _AntiAlias("Anti-aliasing", Vector) = (0, 0, 0, 0)
+        [HideInInspector] _Skip("Skipping", Vector) = (0, 0, 0, 0)
         [HideInInspector] _March("Steps", Vector) = (0, 0, 0, 0)
         [HideInInspector] _LightDirection("Light direction", Vector) = (0, 0, 0, 0)
         [HideInInspector] _LightColor("Light colour", Vector) = (0, 0, 0, 0)

@@ -6,8 +6,10 @@
 // Clip spheres against voxels. The arithmetic that decides Eq. 1 is `precise` and in a fixed order (no fused multiply-add): the C# twin
 // does the same operations, so both agree on every boundary voxel, bit for bit.
 
-StructuredBuffer<SphereRow> _Spheres;
+StructuredBuffer<SphereRow> _Spheres; // by slot
 StructuredBuffer<uint> _MaskWords;
+StructuredBuffer<uint2> _BrickSpheres; // for each brick of the list, which part of _SphereSlots is its own: x: first, y: how many
+StructuredBuffer<uint> _SphereSlots;   // the spheres that meet a brick
 
 // A voxel's centre in centred mm.
 float3 VoxelPosition(int3 voxel)
@@ -35,32 +37,26 @@ float3 VoxelStepI() { return float3(_IndexToMm0.x, _IndexToMm1.x, _IndexToMm2.x)
 float3 VoxelStepJ() { return float3(_IndexToMm0.y, _IndexToMm1.y, _IndexToMm2.y); }
 float3 VoxelStepK() { return float3(_IndexToMm0.z, _IndexToMm1.z, _IndexToMm2.z); }
 
-// The share of a voxel that lies inside the sphere, the sphere's surface taken as flat: 0.5 + s / w, s = how deep the voxel's centre
-// lies inside (mm), w = the voxel's extent along the surface's normal (mm).
-float SmoothCoverage(float4 centreRadius, float3 p)
+// How deep p lies inside the sphere, in extents of a voxel along the sphere's normal there; negative outside.
+float DepthInVoxels(float4 centreRadius, float3 p)
 {
     float3 d = p - centreRadius.xyz;
     float distance = length(d);
     float3 n = d / max(distance, 1e-30);
     float extent = abs(dot(n, VoxelStepI())) + abs(dot(n, VoxelStepJ())) + abs(dot(n, VoxelStepK()));
-    float width = distance > 0.0 ? extent : _CentreIndex.w;
-    float coverage = saturate(0.5 + (centreRadius.w - distance) / width);
-    return centreRadius.w > 0.0 ? coverage : 0.0;
+    return (centreRadius.w - distance) / (distance > 0.0 ? extent : _CentreIndex.w);
 }
 
-// True for every sphere that can cover part of a voxel of the brick, and for some that cannot: the bounding ball of the brick's voxel
-// centres, with the voxel's half extent (smooth cut) and room for rounding.
-bool ReachesBrick(float4 centreRadius, int3 brickOrigin)
+// Within so many extents of a voxel from a sphere's surface the cut's normal may be the sphere's: as far as the voxels between which a visible point of
+// the cut lies.
+static const float SURFACE_REACH = 1.75;
+
+// The share of a voxel that lies inside the sphere, the sphere's surface taken as flat: 0.5 + s / w, s = how deep the voxel's centre
+// lies inside (mm), w = the voxel's extent along the surface's normal (mm).
+float SmoothCoverage(float4 centreRadius, float3 p)
 {
-    float3 i = VoxelStepI(), j = VoxelStepJ(), k = VoxelStepK();
-    float3 first = VoxelPosition(brickOrigin);
-    float3 centre = first + 0.5 * (BRICK_SIZE - 1) * (i + j + k);
-    float diagonal = max(max(length(i + j + k), length(i + j - k)), max(length(i - j + k), length(j + k - i)));
-    float halfVoxel = 0.5 * (length(i) + length(j) + length(k));
-    float rounding = 1e-5 * (length(centre) + length(centreRadius.xyz) + abs(centreRadius.w));
-    float reach = centreRadius.w + 0.5 * (BRICK_SIZE - 1) * diagonal + halfVoxel + rounding;
-    float3 d = centre - centreRadius.xyz;
-    return centreRadius.w > 0.0 && !(dot(d, d) > reach * reach);
+    float coverage = saturate(0.5 + DepthInVoxels(centreRadius, p));
+    return centreRadius.w > 0.0 ? coverage : 0.0;
 }
 
 // Mask(s, label): whether the sphere clips the segment.

@@ -3,6 +3,7 @@
 
 #include "SegmentLookup.hlsl"
 #include "Shading.hlsl"
+#include "SkipCells.hlsl"
 #include "VolumeFields.hlsl"
 
 // Direct volume rendering of one ray, front to back (Max, "Optical Models for Direct Volume Rendering", IEEE TVCG 1(2), 1995).
@@ -10,12 +11,15 @@
 //
 // The ray's part inside the volume and [nearT, farT] is cut into steps of _March.x reference lengths from where it enters; the last step ends
 // where the ray leaves. Each step is sampled in its middle: opacity a per reference length gives  alpha = 1 - (1 - a)^(length of the step in
-// reference lengths).  The first visible segment is where accumulated alpha reaches _March.z; within its step alpha grows as
-// 1 - (1 - a)^length, which is solved for the length.
+// reference lengths).  Steps whose cell is empty add nothing and are not sampled; that changes no result.
+//
+// The first visible segment is where accumulated alpha reaches _March.z. In the step where it does so, and in the one before, alpha is accumulated
+// anew in _Skip.y parts of a step each; within its part alpha grows as 1 - (1 - a)^length, which is solved for the length.
 
 #ifndef PORTABLE_LAYOUT
 SamplerState sampler_LinearClamp;
 #endif
+Texture3D<uint> _SkipMap; // distances to the nearest occupied cell, four cells along x to a texel (SkipDistances.compute)
 
 static const float MAX_STEPS = 1048576.0; // so that no setting makes a ray endless
 static const float NO_DEPTH = asfloat(0x7F800000); // +infinity
@@ -27,6 +31,7 @@ struct RayResult
     float enterMm; // likewise to the first matter, however translucent; NO_DEPTH where alpha is 0
     uint segment;  // NO_SEGMENT: none
     uint samples;  // opacity samples taken
+    uint lookups;  // texels of the skip map read
 };
 
 float3 MmToIndexVector(float3 v)
@@ -81,6 +86,59 @@ bool ClipToVolume(float3 start, float3 velocity, inout float nearT, inout float 
     return farT > nearT;
 }
 
+// A ray in index space, by steps: step n begins at first + n * perStep.
+struct StepRay
+{
+    float3 first;
+    float3 perStep;
+    float3 stepsPerVoxel; // 1 / perStep; huge for an axis along which the ray does not move
+};
+
+float OpacityOnRay(StepRay ray, float position) { return OpacityAt(ray.first + position * ray.perStep); }
+
+// The first step whose middle may lie outside of the cells that are empty with the middle of step n, or of the cell itself if that is occupied.
+uint StepBeyondCells(StepRay ray, uint n, uint lastStep, out bool isEmpty)
+{
+    const float INSIDE = 1e-3; // voxels; more than rounding does
+    int3 cells = CellDims();
+    int3 cell = clamp((int3)floor(ray.first + (float(n) + 0.5) * ray.perStep), int3(0, 0, 0), VolumeDims() - 1) >> CELL_SHIFT;
+    uint distance = (_SkipMap.Load(int4(cell.x >> TEXEL_SHIFT, cell.yz, 0)) >> (8u * ((uint)cell.x & (CELLS_PER_TEXEL - 1u)))) & 255u;
+    isEmpty = distance > 0u;
+    int reach = max((int)distance - 1, 0);
+    int3 low = cell - reach, high = cell + 1 + reach;
+    // What lies beyond the outermost voxels belongs to the outermost cells.
+    float3 from = float3(low.x <= 0 ? -2.0 : low.x * CELL_SIZE + INSIDE, low.y <= 0 ? -2.0 : low.y * CELL_SIZE + INSIDE, low.z <= 0 ? -2.0 : low.z * CELL_SIZE + INSIDE);
+    float3 to = float3(high.x >= cells.x ? cells.x * CELL_SIZE + 2.0 : high.x * CELL_SIZE - INSIDE,
+        high.y >= cells.y ? cells.y * CELL_SIZE + 2.0 : high.y * CELL_SIZE - INSIDE, high.z >= cells.z ? cells.z * CELL_SIZE + 2.0 : high.z * CELL_SIZE - INSIDE);
+    float3 leave = float3(ray.perStep.x < 0.0 ? from.x : to.x, ray.perStep.y < 0.0 ? from.y : to.y, ray.perStep.z < 0.0 ? from.z : to.z);
+    float3 steps = (leave - ray.first) * ray.stepsPerVoxel;
+    float beyond = ceil(min(steps.x, min(steps.y, steps.z)) - 0.5);
+    return (uint)clamp(beyond, float(n + 1u), float(max(lastStep, n + 1u)));
+}
+
+// Where alpha, accumulated from position begin on (in steps) where it is alpha, reaches _March.z; end if it does not before.
+float FirstVisiblePosition(StepRay ray, float begin, float end, float alpha, inout uint samples)
+{
+    float wanted = log2((1.0 - _March.z) / (1.0 - alpha)); // the log of the light that is to pass
+    float passing = 0.0;
+    float position = end;
+    [loop]
+    for (float from = begin; from < end; from += 1.0 / _Skip.y)
+    {
+        float to = min(from + 1.0 / _Skip.y, end);
+        float opacity = OpacityOnRay(ray, 0.5 * (from + to));
+        samples++;
+        float here = opacity < 1.0 ? (to - from) * _March.x * log2(1.0 - opacity) : -1e30;
+        if (passing + here <= wanted)
+        {
+            position = from + saturate((wanted - passing) / min(here, -1e-30)) * (to - from);
+            break;
+        }
+        passing += here;
+    }
+    return position;
+}
+
 // origin, direction: centred mm; a point of the ray is origin + t * direction. toLight: unit vector, centred mm.
 RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT, float3 toLight)
 {
@@ -90,6 +148,7 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT, flo
     result.enterMm = NO_DEPTH;
     result.segment = NO_SEGMENT;
     result.samples = 0u;
+    result.lookups = 0u;
     float mmPerT = length(direction);
     float3 velocity = MmToIndexVector(direction);
     float3 start = MmToIndexVector(origin) + _CentreIndex.xyz;
@@ -99,12 +158,19 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT, flo
         float stepT = _March.x * _CentreIndex.w / mmPerT;
         float steps = min((farT - nearT) / stepT, MAX_STEPS); // the last one may be a fraction
         uint stepCount = (uint)ceil(steps);
-        float3 first = start + nearT * velocity; // index space
-        float3 perStep = stepT * velocity;
+        StepRay ray;
+        ray.first = start + nearT * velocity;
+        ray.perStep = stepT * velocity;
+        ray.stepsPerVoxel = float3(abs(ray.perStep.x) > 1e-20 ? 1.0 / ray.perStep.x : 1e20, abs(ray.perStep.y) > 1e-20 ? 1.0 / ray.perStep.y : 1e20,
+            abs(ray.perStep.z) > 1e-20 ? 1.0 / ray.perStep.z : 1e20);
         int3 lookedUp = int3(-2, -2, -2); // the corner whose segment is known: no ray gets there
         uint segment = NO_SEGMENT;
         float3 segmentColor = float3(0.0, 0.0, 0.0);
         bool seen = false;
+        float visibleAt = 0.0;  // in steps
+        float beforeLast = 0.0; // alpha before the last step but one
+        uint lastShaded = stepCount;
+        uint sampleUntil = _Skip.x > 0.0 ? 0u : stepCount; // in occupied cells up to here
         uint n = 0u;
         [loop]
         while (n < stepCount && result.color.a < _March.y)
@@ -113,14 +179,26 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT, flo
             [loop]
             while (n < stepCount && opacity == 0.0) // on to the next step with something in it
             {
-                begin = float(n);
-                end = min(begin + 1.0, steps);
-                opacity = OpacityAt(first + 0.5 * (begin + end) * perStep);
-                n++;
+                [loop]
+                while (n >= sampleUntil && n < stepCount)
+                {
+                    bool isEmpty;
+                    sampleUntil = StepBeyondCells(ray, n, stepCount, isEmpty);
+                    n = isEmpty ? sampleUntil : n;
+                    result.lookups++;
+                }
+                if (n < stepCount)
+                {
+                    begin = float(n);
+                    end = min(begin + 1.0, steps);
+                    opacity = OpacityOnRay(ray, 0.5 * (begin + end));
+                    result.samples++;
+                    n++;
+                }
             }
             if (opacity > 0.0)
             {
-                float3 index = first + 0.5 * (begin + end) * perStep;
+                float3 index = ray.first + 0.5 * (begin + end) * ray.perStep;
                 int3 corner = int3(floor(index));
                 if (any(corner != lookedUp))
                 {
@@ -131,6 +209,8 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT, flo
                 float before = result.color.a;
                 if (before == 0.0)
                     result.enterMm = (nearT + begin * stepT) * mmPerT;
+                if (lastShaded + 2u != n)
+                    beforeLast = before; // the step before was empty
                 float lengths = (end - begin) * _March.x; // of the step, in reference lengths
                 float logPassing = lengths * log2(max(1.0 - opacity, 1e-30)); // of the light that passes the step
                 float passing = opacity < 1.0 ? exp2(logPassing) : 0.0; // matter of opacity 1 stops all light, however short the step
@@ -140,15 +220,17 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT, flo
                 if (!seen && result.color.a >= _March.z)
                 {
                     seen = true;
-                    float part = opacity < 1.0 ? saturate(log2((1.0 - _March.z) / (1.0 - before)) / logPassing) : 0.0;
-                    float position = begin + part * (end - begin); // in steps
-                    result.depthMm = (nearT + position * stepT) * mmPerT;
-                    uint there = SegmentAround(int3(floor(first + position * perStep)));
+                    float from = max(begin - 1.0, 0.0);
+                    visibleAt = FirstVisiblePosition(ray, from, end, beforeLast, result.samples);
+                    uint there = SegmentAround(int3(floor(ray.first + visibleAt * ray.perStep)));
                     result.segment = there != NO_SEGMENT ? there : segment;
                 }
+                beforeLast = before;
+                lastShaded = n - 1u;
             }
         }
-        result.samples = n;
+        if (seen)
+            result.depthMm = (nearT + visibleAt * stepT) * mmPerT;
     }
     return result;
 }

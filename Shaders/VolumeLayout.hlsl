@@ -39,6 +39,7 @@ cbuffer CarvedVolume
 // What all rays of a picture have in common.
 cbuffer RaymarchSettings
 {
+    float4 _Skip;              // x: 1 = rays skip cells that are empty (SkipCells.hlsl); y: parts into which a step is cut to find the first visible point
     float4 _March;             // x: step in reference lengths; y: alpha at which a ray ends; z: alpha that makes a segment visible; w: 1 = exact filter
     float4 _LightDirection;    // xyz: unit vector towards the light; Raymarch: centred mm; CarvedVolume: x right, y up, z towards the viewer
     float4 _LightColor;        // rgb: linear

@@ -17,7 +17,12 @@ namespace AnatomyCarve
         {
             ReadOnlyMemory<byte> packed = asset.Open();
             string name = asset.name;
-            return Task.Run(() => PackedVolume.Read(packed, name, cancellationToken, progress), cancellationToken);
+            return Task.Run(() =>
+            {
+                SegmentedVolume volume = PackedVolume.Read(packed, name, cancellationToken, progress);
+                _ = volume.Blocks; // here, so that the main thread need not wait for it
+                return volume;
+            }, cancellationToken);
         }
 
         public static Task<SegmentedVolume> ContentsAsync(

@@ -20,6 +20,18 @@ namespace AnatomyCarve
         [SerializeField, Tooltip("Normals from the anti-aliased opacity")]
         ComputeShader sobelNormals = null;
 
+        [SerializeField, Tooltip("Empties bricks in which nothing is visible")]
+        ComputeShader clearBricks = null;
+
+        [SerializeField, Tooltip("Skip structure, step 1: which cells hold anything")]
+        ComputeShader occupiedCells = null;
+
+        [SerializeField, Tooltip("Skip structure, step 2: distances within planes")]
+        ComputeShader planeDistances = null;
+
+        [SerializeField, Tooltip("Skip structure, step 3: distances")]
+        ComputeShader skipDistances = null;
+
         [SerializeField, Tooltip("Direct volume rendering into colour, depth and first visible segment")]
         ComputeShader raymarch = null;
 
@@ -34,6 +46,18 @@ namespace AnatomyCarve
 
         /// <summary>Kernel <c>SobelNormals</c>: normals from the anti-aliased opacity.</summary>
         public ComputeShader SobelNormals => sobelNormals;
+
+        /// <summary>Kernel <c>ClearBricks</c>: opacity 0 where nothing is visible.</summary>
+        public ComputeShader ClearBricks => clearBricks;
+
+        /// <summary>Kernel <c>OccupiedCells</c>: which cells of 4 x 4 x 4 voxels hold anything.</summary>
+        public ComputeShader OccupiedCells => occupiedCells;
+
+        /// <summary>Kernel <c>PlaneDistances</c>: distances to occupied cells within planes.</summary>
+        public ComputeShader PlaneDistances => planeDistances;
+
+        /// <summary>Kernel <c>SkipDistances</c>: distances to occupied cells, by which rays skip empty space.</summary>
+        public ComputeShader SkipDistances => skipDistances;
 
         /// <summary>Kernel <c>Raymarch</c>: the picture.</summary>
         public ComputeShader Raymarch => raymarch;

@@ -8,28 +8,28 @@ using UnityEngine;
 namespace AnatomyCarve
 {
     /// <summary>
-    /// One volume on the GPU, and the three kernels that keep its opacity, anti-aliased opacity and normals in step with the carving. It
-    /// remembers what they were computed from: an edit of the carving recomputes the bricks that it can change, everything else recomputes the
-    /// stages behind it, and where nothing changed nothing is dispatched.
+    /// One volume on the GPU, whose opacity, anti-aliased opacity, normals and skip structure are kept in step with the carving. It remembers what they were
+    /// computed from: an edit of the carving recomputes the bricks that it can change, everything else recomputes the stages behind it where anything is
+    /// visible, and where nothing changed nothing is dispatched.
     /// </summary>
     sealed class CarvePipeline : IDisposable
     {
         static readonly ProfilerMarker UploadMarker = new ProfilerMarker("AnatomyCarve.Upload");
-        static readonly ProfilerMarker ClipMarker = new ProfilerMarker("AnatomyCarve.ClipVoxels");
-        static readonly ProfilerMarker AntiAliasMarker = new ProfilerMarker("AnatomyCarve.AntiAlias");
-        static readonly ProfilerMarker NormalsMarker = new ProfilerMarker("AnatomyCarve.SobelNormals");
         static readonly ClipSphere[] NoSpheres = Array.Empty<ClipSphere>();
 
-        readonly ComputeKernel clipVoxels, antiAlias, sobelNormals;
-        readonly BrickBuffer allBricks, dirtyBricks;
-        readonly uint[] allPacked, dirtyPacked;
+        readonly BrickGrid bricks;
+        readonly SphereIndex index;
         readonly DirtyBrickSet dirty;
         readonly VolumeConstants constants;
+        readonly VolumeKernels kernels;
+        readonly SkipStructure skip;
+        readonly LiveBricks live;
         readonly RenderStatistics statistics;
         VolumeTextures textures;
         LookupTextures lookups;
         SphereBuffers spheres;
 
+        VisibleContents contents;
         IReadOnlyList<ClipSphere> usedSpheres = NoSpheres;
         OpacityTransferFunction usedTransferFunction;
         SegmentTable usedSegments;
@@ -44,16 +44,13 @@ namespace AnatomyCarve
             Volume = volume;
             Layout = layout;
             this.statistics = statistics;
-            clipVoxels = new ComputeKernel(shaders.ClipVoxels, nameof(shaders.ClipVoxels), layout);
-            antiAlias = new ComputeKernel(shaders.AntiAlias, nameof(shaders.AntiAlias), layout);
-            sobelNormals = new ComputeKernel(shaders.SobelNormals, nameof(shaders.SobelNormals), layout);
-            var bricks = new BrickGrid(volume.Geometry);
+            bricks = new BrickGrid(volume.Geometry);
             constants = new VolumeConstants(volume, bricks);
-            dirty = new DirtyBrickSet(bricks, constants.Grid);
-            allBricks = new BrickBuffer("AnatomyCarve all bricks", bricks);
-            dirtyBricks = new BrickBuffer("AnatomyCarve dirty bricks", bricks);
-            allPacked = bricks.PackAll();
-            dirtyPacked = new uint[allPacked.Length];
+            index = new SphereIndex(bricks, constants.Grid);
+            dirty = new DirtyBrickSet(bricks, constants.Grid) { Index = index };
+            kernels = new VolumeKernels(bricks, index, constants, shaders, layout, statistics);
+            skip = new SkipStructure(bricks, shaders);
+            live = new LiveBricks(bricks.Count);
             MakeResources();
         }
 
@@ -74,7 +71,8 @@ namespace AnatomyCarve
         {
             RestoreLost();
             IReadOnlyList<ClipSphere> wanted = carving ?? (IReadOnlyList<ClipSphere>)NoSpheres;
-            bool all = !filled || cut != usedCut || transferFunction != usedTransferFunction || OpacitiesDiffer(segments, usedSegments);
+            bool shown = !filled || transferFunction != usedTransferFunction || OpacitiesDiffer(segments, usedSegments);
+            bool all = shown || cut != usedCut;
             bool smoothing = all || !antiAliasing.Equals(usedAntiAlias);
             bool carved = !ReferenceEquals(wanted, usedSpheres);
             bool recolored = segments != usedSegments;
@@ -86,14 +84,22 @@ namespace AnatomyCarve
             if (recolored || !filled)
                 lookups.Upload(segments);
             if (carved || !filled)
-                spheres.Upload(wanted);
-            constants.Set(transferFunction, spheres, cut, antiAliasing);
+            {
+                index.Update(wanted);
+                spheres.Upload();
+            }
+            constants.Set(transferFunction, spheres, index.Count, cut, antiAliasing);
+            if (shown)
+                Show(segments);
             if (all)
-                DispatchAll(true);
-            else if (smoothing && !carved)
-                DispatchAll(false);
+                kernels.ClipVoxels(live.Visible, contents, cut);
             else if (carved)
-                DispatchDirty(wanted, cut, smoothing);
+                kernels.ClipVoxels(Dirty(wanted, cut, 0), contents, cut);
+            if (smoothing)
+                SmoothAll();
+            else if (carved)
+                SmoothDirty(wanted, cut);
+            statistics.CountSpheres(index);
 
             usedSpheres = wanted;
             usedTransferFunction = transferFunction;
@@ -113,6 +119,7 @@ namespace AnatomyCarve
             target.SetTexture(ShaderIds.Opacity, textures.Opacity);
             target.SetTexture(ShaderIds.OpacityAA, textures.OpacityAA);
             target.SetTexture(ShaderIds.Normals, textures.Normals);
+            target.SetTexture(ShaderIds.SkipMap, skip.Map);
         }
 
         public void AddSizes(List<ResourceSize> sizes)
@@ -120,7 +127,8 @@ namespace AnatomyCarve
             textures.AddSizes(sizes);
             lookups.AddSizes(sizes);
             spheres.AddSizes(sizes);
-            sizes.Add(new ResourceSize("AnatomyCarve bricks", allBricks.Bytes + dirtyBricks.Bytes));
+            skip.AddSizes(sizes);
+            kernels.AddSizes(sizes);
         }
 
         public void Dispose()
@@ -128,8 +136,8 @@ namespace AnatomyCarve
             textures?.Dispose();
             lookups?.Dispose();
             spheres?.Dispose();
-            allBricks.Dispose();
-            dirtyBricks.Dispose();
+            skip.Dispose();
+            kernels.Dispose();
         }
 
         void MakeResources()
@@ -138,11 +146,12 @@ namespace AnatomyCarve
             {
                 try
                 {
-                    textures = new VolumeTextures(Volume, Layout);
-                    lookups = new LookupTextures(Volume.Segments.Count);
-                    spheres = new SphereBuffers(new CentredGrid(Volume.Geometry), Volume.Segments.Count);
-                    allBricks.Upload(allPacked, allPacked.Length);
-                    dirtyBricks.Upload(dirtyPacked, 1);
+                    kernels.Textures = textures = new VolumeTextures(Volume, Layout);
+                    kernels.Lookups = lookups = new LookupTextures(Volume.Segments.Count);
+                    kernels.Spheres = spheres = new SphereBuffers(index, Volume.Segments.Count);
+                    kernels.Skip = skip;
+                    skip.Make();
+                    kernels.MakeLists();
                 }
                 catch
                 {
@@ -156,90 +165,54 @@ namespace AnatomyCarve
         /// <summary>A lost device empties render textures; scripts and scene changes may destroy objects.</summary>
         void RestoreLost()
         {
-            if (!textures.Exist || !lookups.Exist || !allBricks.IsValid || !dirtyBricks.IsValid)
+            if (!textures.Exist || !lookups.Exist || !skip.Exists || !kernels.AreListsThere)
             {
                 Dispose();
                 MakeResources();
             }
-            if (textures.Restore() || (filled && !spheres.IsValid))
+            if (textures.Restore() | skip.Restore() || (filled && !spheres.IsValid))
                 filled = false;
         }
 
-        void DispatchAll(bool withOpacity)
+        /// <summary>Finds what is visible before carving, and empties what was and is no more; at first all that is not.</summary>
+        void Show(SegmentTable segments)
         {
-            if (withOpacity)
-                ClipVoxels(allBricks);
-            AntiAlias(allBricks);
-            SobelNormals(allBricks);
+            contents = VisibleContents.Of(Volume, constants.Lookup, OpacitiesOf(segments));
+            dirty.Contents = contents;
+            kernels.ClearBricks(live.Take(contents, !filled));
         }
 
-        void DispatchDirty(IReadOnlyList<ClipSphere> wanted, CutMode cut, bool smoothAll)
+        void SmoothAll()
         {
-            if (UploadDirty(wanted, cut, 0))
-                ClipVoxels(dirtyBricks);
-            if (smoothAll)
+            kernels.AntiAlias(live.NearMatter);
+            kernels.SobelNormals(live.NearMatter, contents);
+            skip.Update(null, constants, ref statistics.skipCells);
+        }
+
+        void SmoothDirty(IReadOnlyList<ClipSphere> wanted, CutMode cut)
+        {
+            IReadOnlyList<int> list = Dirty(wanted, cut, CarvingReach.AntiAliasVoxels);
+            if (list.Count > 0)
             {
-                DispatchAll(false);
-                return;
+                kernels.AntiAlias(list);
+                skip.Update(list, constants, ref statistics.skipCells);
             }
-            if (UploadDirty(wanted, cut, CarvingReach.AntiAliasVoxels))
-                AntiAlias(dirtyBricks);
-            if (UploadDirty(wanted, cut, CarvingReach.NormalsVoxels))
-                SobelNormals(dirtyBricks);
+            dirty.ComputeNormals(usedSpheres, wanted, cut);
+            kernels.SobelNormals(dirty.Indices, contents);
         }
 
-        bool UploadDirty(IReadOnlyList<ClipSphere> wanted, CutMode cut, int haloVoxels)
+        IReadOnlyList<int> Dirty(IReadOnlyList<ClipSphere> wanted, CutMode cut, int haloVoxels)
         {
             dirty.Compute(usedSpheres, wanted, cut, haloVoxels);
-            if (dirty.IsNone)
-                return false;
-            dirty.PackInto(dirtyPacked);
-            dirtyBricks.Upload(dirtyPacked, dirty.Count);
-            return true;
+            return dirty.Indices;
         }
 
-        void ClipVoxels(BrickBuffer list)
+        static float[] OpacitiesOf(SegmentTable segments)
         {
-            using (ClipMarker.Auto())
-            {
-                clipVoxels.SetTexture(ShaderIds.Intensity, textures.Intensity);
-                clipVoxels.SetTexture(ShaderIds.Labels, textures.Labels);
-                clipVoxels.SetTexture(ShaderIds.TransferFunction, lookups.TransferFunction);
-                clipVoxels.SetTexture(ShaderIds.SegmentColors, lookups.SegmentColors);
-                clipVoxels.SetBuffer(ShaderIds.Spheres, spheres.Spheres);
-                clipVoxels.SetBuffer(ShaderIds.MaskWords, spheres.MaskWords);
-                clipVoxels.SetTexture(ShaderIds.OpacityOut, textures.Opacity);
-                Dispatch(clipVoxels, list, ref statistics.clipVoxels);
-            }
-        }
-
-        void AntiAlias(BrickBuffer list)
-        {
-            using (AntiAliasMarker.Auto())
-            {
-                antiAlias.SetTexture(ShaderIds.Opacity, textures.Opacity);
-                antiAlias.SetTexture(ShaderIds.OpacityAAOut, textures.OpacityAA);
-                Dispatch(antiAlias, list, ref statistics.antiAlias);
-            }
-        }
-
-        void SobelNormals(BrickBuffer list)
-        {
-            using (NormalsMarker.Auto())
-            {
-                sobelNormals.SetTexture(ShaderIds.OpacityAA, textures.OpacityAA);
-                sobelNormals.SetTexture(ShaderIds.NormalsOut, textures.Normals);
-                Dispatch(sobelNormals, list, ref statistics.sobelNormals);
-            }
-        }
-
-        void Dispatch(in ComputeKernel kernel, BrickBuffer list, ref StageStatistics stage)
-        {
-            (int perRow, int rows) = ComputeKernel.SplitGroups(list.Count);
-            constants.Bind(kernel, list.Count, perRow);
-            kernel.SetBuffer(ShaderIds.Bricks, list.Buffer);
-            kernel.Dispatch(perRow, rows);
-            stage.Add(1, list.Count, list.Voxels);
+            var opacities = new float[segments.Count];
+            for (int s = 0; s < opacities.Length; s++)
+                opacities[s] = segments[s].Opacity;
+            return opacities;
         }
 
         static bool OpacitiesDiffer(SegmentTable a, SegmentTable b)

@@ -14,6 +14,9 @@ namespace AnatomyCarve
     /// </summary>
     public sealed class CarvedPicture : IDisposable
     {
+        /// <summary>Samples and look-ups.</summary>
+        const int CountsPerGroup = 2;
+
         readonly string name;
         PictureInputs shown;
         uint[] noSamples;
@@ -108,18 +111,11 @@ namespace AnatomyCarve
             return result.Task;
         }
 
-        /// <summary>How many samples the rays took, where they were counted; -1 where not. Waits until the GPU is done.</summary>
-        public long ReadSampleCount()
-        {
-            if (SampleCounts == null || !isShown)
-                return -1;
-            var counts = new uint[SampleCounts.count];
-            SampleCounts.GetData(counts);
-            long sum = 0;
-            foreach (uint count in counts)
-                sum += count;
-            return sum;
-        }
+        /// <summary>How many opacity samples the rays took, where they were counted; -1 where not. Waits until the GPU is done.</summary>
+        public long ReadSampleCount() => ReadCount(0);
+
+        /// <summary>How many texels of the skip structure the rays read, where work was counted; -1 where not. Waits until the GPU is done.</summary>
+        public long ReadLookupCount() => ReadCount(1);
 
         /// <summary>Frees the textures. The picture may be rendered into again.</summary>
         public void Dispose()
@@ -188,6 +184,18 @@ namespace AnatomyCarve
             Version++;
         }
 
+        long ReadCount(int kind)
+        {
+            if (SampleCounts == null || !isShown)
+                return -1;
+            var counts = new uint[SampleCounts.count];
+            SampleCounts.GetData(counts);
+            long sum = 0;
+            for (int n = kind; n < counts.Length; n += CountsPerGroup)
+                sum += counts[n];
+            return sum;
+        }
+
         void Make(int width, int height, bool countSamples)
         {
             Width = width;
@@ -196,7 +204,7 @@ namespace AnatomyCarve
             DepthTexture = Create("depth", GraphicsFormat.R32_SFloat, FilterMode.Point);
             SegmentTexture = Create("segments", GraphicsFormat.R32_UInt, FilterMode.Point);
             if (countSamples)
-                SampleCounts = GpuObjects.CreateBuffer(name + " samples", Raymarcher.Groups(width) * Raymarcher.Groups(height), sizeof(uint));
+                SampleCounts = GpuObjects.CreateBuffer(name + " samples", CountsPerGroup * Raymarcher.Groups(width) * Raymarcher.Groups(height), sizeof(uint));
         }
 
         RenderTexture Create(string part, GraphicsFormat format, FilterMode filter)

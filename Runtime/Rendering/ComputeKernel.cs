@@ -13,8 +13,11 @@ namespace AnatomyCarve
 
         readonly int index;
         readonly LocalKeyword portableLayout;
-        readonly bool portable;
+        readonly bool hasLayouts, portable;
 
+        /// <param name="shader">The shader.</param>
+        /// <param name="name">Its kernel's name, and its own in messages.</param>
+        /// <param name="layout">The volume's layout; automatic = the kernel does not touch what has a layout.</param>
         /// <exception cref="AnatomyCarveException">The shader is missing, or the device cannot run its kernel.</exception>
         public ComputeKernel(ComputeShader shader, string name, TextureLayout layout)
         {
@@ -24,9 +27,11 @@ namespace AnatomyCarve
                 throw new AnatomyCarveException($"The compute shader {name} has no kernel {name} on {SystemInfo.graphicsDeviceType}.");
             Shader = shader;
             index = shader.FindKernel(name);
-            portableLayout = new LocalKeyword(shader, ShaderIds.PortableLayout);
+            hasLayouts = layout != TextureLayout.Automatic;
             portable = layout == TextureLayout.Portable;
-            shader.SetKeyword(portableLayout, portable);
+            portableLayout = hasLayouts ? new LocalKeyword(shader, ShaderIds.PortableLayout) : default;
+            if (hasLayouts)
+                shader.SetKeyword(portableLayout, portable);
             if (!shader.IsSupported(index))
                 throw new AnatomyCarveException($"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) cannot run the kernel {name}.");
         }
@@ -39,11 +44,24 @@ namespace AnatomyCarve
 
         public void SetBuffer(int id, GraphicsBuffer buffer) => Shader.SetBuffer(index, id, buffer);
 
-        /// <summary>The shader is shared by volumes of either layout, so its keyword is set each time.</summary>
-        public void Dispatch(int groupsX, int groupsY)
+        /// <summary>Has a kernel that can count its work add it to a buffer; null = it does not count.</summary>
+        public void Count(GraphicsBuffer counts)
         {
-            Shader.SetKeyword(portableLayout, portable);
-            Shader.Dispatch(index, groupsX, groupsY, 1);
+            if (counts == null)
+            {
+                Shader.DisableKeyword(ShaderIds.CountWork);
+                return;
+            }
+            Shader.EnableKeyword(ShaderIds.CountWork);
+            SetBuffer(ShaderIds.WorkCounts, counts);
+        }
+
+        /// <summary>The shader is shared by volumes of either layout, so its keyword is set each time.</summary>
+        public void Dispatch(int groupsX, int groupsY, int groupsZ = 1)
+        {
+            if (hasLayouts)
+                Shader.SetKeyword(portableLayout, portable);
+            Shader.Dispatch(index, groupsX, groupsY, groupsZ);
         }
 
         /// <summary>How a dispatch over a number of bricks is split into rows, so that no axis has more groups than allowed.</summary>

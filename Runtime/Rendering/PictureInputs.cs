@@ -10,6 +10,7 @@ namespace AnatomyCarve
         readonly int pipelineVersion;
         readonly PictureRayBundle rays;
         readonly Vector4 march;
+        readonly Vector4 skip;
         readonly Vector3 lightDirection;
         readonly Color lightColor;
         readonly Vector4 shading;
@@ -23,6 +24,7 @@ namespace AnatomyCarve
             pipelineVersion = pipeline.Version;
             this.rays = rays;
             march = quality.March;
+            skip = quality.Skip;
             lightDirection = light.Direction;
             lightColor = light.Color;
             shading = light.Shading;
@@ -35,7 +37,7 @@ namespace AnatomyCarve
 
         public bool Equals(PictureInputs other) => ReferenceEquals(volume, other.volume) && pipelineVersion == other.pipelineVersion
             && ReferenceEquals(sceneDepth, other.sceneDepth)
-            && countSamples == other.countSamples && march.Equals(other.march) && lightDirection.Equals(other.lightDirection)
+            && countSamples == other.countSamples && march.Equals(other.march) && skip.Equals(other.skip) && lightDirection.Equals(other.lightDirection)
             && lightColor.Equals(other.lightColor) && shading.Equals(other.shading) && rays.Equals(other.rays);
 
         public override bool Equals(object obj) => obj is PictureInputs other && Equals(other);

@@ -43,6 +43,7 @@ namespace AnatomyCarve
                 pipeline.BindForRays(kernel);
                 SetView(rays, shown.HaveSceneDepth, pipeline.Volume.Geometry.CentreLps);
                 kernel.SetVector(ShaderIds.March, quality.March);
+                kernel.SetVector(ShaderIds.Skip, quality.Skip);
                 light.Bind(kernel);
                 kernel.SetVector(ShaderIds.LightDirection, PictureRayBundle.ToFloat(rays.TowardsLight(light.Direction)));
                 SetTargets(picture);

@@ -46,6 +46,9 @@ namespace AnatomyCarve
         [SerializeField, Tooltip("Exact: opacity between voxels in full precision; pointers find what is shown. Hardware: the GPU's filter, faster")]
         OpacityFilter filter = OpacityFilter.Exact;
 
+        [SerializeField, Tooltip("Rays skip what is empty. Pictures are the same without; it is for measuring")]
+        bool skipEmptySpace = true;
+
         [NonSerialized] AntiAliasSettings antiAliasSettings;
         [NonSerialized] RaySettings raySettings;
 
@@ -97,6 +100,9 @@ namespace AnatomyCarve
             set => filter = SettingRange.Defined(value, nameof(Filter));
         }
 
+        /// <summary>Whether rays skip what is empty. Pictures are the same without, which is for measuring.</summary>
+        public bool SkipEmptySpace { get => skipEmptySpace; set => skipEmptySpace = value; }
+
         /// <summary>The names that <see cref="Named"/> knows, from the cheapest to the best.</summary>
         public static string[] Names => new[] { "fast", "balanced", "best" };
 
@@ -124,6 +130,9 @@ namespace AnatomyCarve
 
         /// <summary>The row <c>_March</c> of <c>Shaders/VolumeLayout.hlsl</c>.</summary>
         internal Vector4 March => new Vector4(step, opaqueAlpha, firstVisibleAlpha, filter == OpacityFilter.Exact ? 1f : 0f);
+
+        /// <summary>The row <c>_Skip</c> of <c>Shaders/VolumeLayout.hlsl</c>.</summary>
+        internal Vector4 Skip => new Vector4(skipEmptySpace ? 1f : 0f, RaySettings.PartsOfStep, 0f, 0f);
 
         /// <summary>The same as the CPU's walk along a ray takes it.</summary>
         internal RaySettings RaySettings

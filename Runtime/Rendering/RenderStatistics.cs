@@ -44,7 +44,10 @@ namespace AnatomyCarve
         internal StageStatistics clipVoxels;
         internal StageStatistics antiAlias;
         internal StageStatistics sobelNormals;
+        internal StageStatistics clearBricks;
+        internal StageStatistics skipCells;
         internal StageStatistics raymarch;
+        long sphereTests, sphereEntries, sphereTestsBefore, sphereEntriesBefore;
         readonly List<ResourceSize> resources = new List<ResourceSize>();
 
         internal RenderStatistics()
@@ -60,11 +63,24 @@ namespace AnatomyCarve
         /// <summary>Work of the kernel <c>SobelNormals</c>.</summary>
         public StageStatistics SobelNormals => sobelNormals;
 
+        /// <summary>Work of the kernel <c>ClearBricks</c>, which empties bricks in which nothing is visible.</summary>
+        public StageStatistics ClearBricks => clearBricks;
+
+        /// <summary>Work of the kernels that keep up the skip structure, three dispatches an edit; elements are cells of 4 x 4 x 4 voxels.</summary>
+        public StageStatistics SkipCells => skipCells;
+
+        /// <summary>How often a clip sphere was tested against a brick, on the CPU.</summary>
+        public long SphereBrickTests => sphereTests - sphereTestsBefore;
+
+        /// <summary>How many clip spheres were given to bricks, one by one: each is then tested against the voxels of its brick, on the GPU.</summary>
+        public long SpheresInBricks => sphereEntries - sphereEntriesBefore;
+
         /// <summary>Work of the kernel <c>Raymarch</c>.</summary>
         public StageStatistics Raymarch => raymarch;
 
         /// <summary>Volume kernels dispatched (all but <c>Raymarch</c>). It stands still while nothing changes.</summary>
-        public int VolumeDispatches => clipVoxels.Dispatches + antiAlias.Dispatches + sobelNormals.Dispatches;
+        public int VolumeDispatches =>
+            clipVoxels.Dispatches + antiAlias.Dispatches + sobelNormals.Dispatches + clearBricks.Dispatches + skipCells.Dispatches;
 
         /// <summary>How the volume lies in textures; <see cref="TextureLayout.Automatic"/> while none is on the GPU.</summary>
         public TextureLayout Layout => Source == null ? TextureLayout.Automatic : Source.Layout;
@@ -95,13 +111,26 @@ namespace AnatomyCarve
         /// <summary>Whose resources are listed; null = there are none.</summary>
         internal VolumeGpu Source { get; set; }
 
+        /// <summary>A buffer of four counts that AntiAlias adds to, for tests and benchmarks; null = it does not count.</summary>
+        internal UnityEngine.GraphicsBuffer WorkCounts { get; set; }
+
+        internal void CountSpheres(Carving.SphereIndex index)
+        {
+            sphereTests = index.Tests;
+            sphereEntries = index.Gathered;
+        }
+
         /// <summary>Sets all counts to zero.</summary>
         public void Reset()
         {
             clipVoxels = default;
             antiAlias = default;
             sobelNormals = default;
+            clearBricks = default;
+            skipCells = default;
             raymarch = default;
+            sphereTestsBefore = sphereTests;
+            sphereEntriesBefore = sphereEntries;
         }
     }
 }

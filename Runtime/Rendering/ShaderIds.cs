@@ -6,11 +6,25 @@ namespace AnatomyCarve
     static class ShaderIds
     {
         public const string CountSamples = "COUNT_SAMPLES";
+        public const string CountWork = "COUNT_WORK";
         public const string PortableLayout = "PORTABLE_LAYOUT";
 
         public static readonly int Bricks = Shader.PropertyToID("_Bricks");
         public static readonly int Spheres = Shader.PropertyToID("_Spheres");
         public static readonly int MaskWords = Shader.PropertyToID("_MaskWords");
+        public static readonly int BrickSpheres = Shader.PropertyToID("_BrickSpheres");
+        public static readonly int SphereSlots = Shader.PropertyToID("_SphereSlots");
+        public static readonly int BrickMatter = Shader.PropertyToID("_BrickMatter");
+        public static readonly int BrickMatterIn = Shader.PropertyToID("_BrickMatterIn");
+        public static readonly int OccupiedCells = Shader.PropertyToID("_OccupiedCells");
+        public static readonly int OccupiedCellsOut = Shader.PropertyToID("_OccupiedCellsOut");
+        public static readonly int PlaneDistances = Shader.PropertyToID("_PlaneDistances");
+        public static readonly int PlaneDistancesOut = Shader.PropertyToID("_PlaneDistancesOut");
+        public static readonly int SkipMap = Shader.PropertyToID("_SkipMap");
+        public static readonly int SkipMapOut = Shader.PropertyToID("_SkipMapOut");
+        public static readonly int SkipFirst = Shader.PropertyToID("_SkipFirst");
+        public static readonly int SkipSize = Shader.PropertyToID("_SkipSize");
+        public static readonly int WorkCounts = Shader.PropertyToID("_WorkCounts");
         public static readonly int Intensity = Shader.PropertyToID("_Intensity");
         public static readonly int Labels = Shader.PropertyToID("_Labels");
         public static readonly int TransferFunction = Shader.PropertyToID("_TransferFunction");
@@ -43,6 +57,7 @@ namespace AnatomyCarve
         public static readonly int RayDirectionDx = Shader.PropertyToID("_RayDirectionDx");
         public static readonly int RayDirectionDy = Shader.PropertyToID("_RayDirectionDy");
         public static readonly int RayRange = Shader.PropertyToID("_RayRange");
+        public static readonly int Skip = Shader.PropertyToID("_Skip");
         public static readonly int March = Shader.PropertyToID("_March");
         public static readonly int LightDirection = Shader.PropertyToID("_LightDirection");
         public static readonly int LightColor = Shader.PropertyToID("_LightColor");

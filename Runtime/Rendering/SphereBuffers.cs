@@ -7,19 +7,22 @@ using UnityEngine;
 namespace AnatomyCarve
 {
     /// <summary>
-    /// A carving on the GPU: one row per sphere, and the words of the masks. Buffers grow and are never made smaller; what cannot clip anything
-    /// (radius 0, empty mask) is left out.
+    /// A carving on the GPU: by slot of its <see cref="SphereIndex"/> a row per sphere and the words of its mask. Buffers grow and are never made smaller; an
+    /// edit uploads the slots that it filled.
     /// </summary>
     sealed class SphereBuffers : IDisposable
     {
-        readonly CentredGrid grid;
+        const string SpheresName = "AnatomyCarve clip spheres";
+        const string MaskWordsName = "AnatomyCarve clip masks";
+
+        readonly SphereIndex index;
         readonly int wordsPerMask;
         SphereRow[] rows = new SphereRow[16];
         uint[] words;
 
-        public SphereBuffers(CentredGrid grid, int segmentCount)
+        public SphereBuffers(SphereIndex index, int segmentCount)
         {
-            this.grid = grid;
+            this.index = index;
             wordsPerMask = (segmentCount + 31) / 32;
             words = new uint[16 * wordsPerMask];
         }
@@ -28,33 +31,31 @@ namespace AnatomyCarve
 
         public GraphicsBuffer MaskWords { get; private set; }
 
-        /// <summary>The number of rows in use.</summary>
-        public int Count { get; private set; }
-
         public int WordsPerMask => wordsPerMask;
 
         public bool IsValid => Spheres != null && Spheres.IsValid() && MaskWords != null && MaskWords.IsValid();
 
-        public void Upload(IReadOnlyList<ClipSphere> spheres)
+        /// <summary>Uploads the slots that changed last, or all of them where the buffers had to be made.</summary>
+        /// <exception cref="Volumes.AnatomyCarveException">The device could not make the buffers.</exception>
+        public void Upload()
         {
-            Reserve(spheres.Count);
-            int count = 0;
-            for (int s = 0; s < spheres.Count; s++)
+            if (Reserve(index.SlotCount))
             {
-                ClipSphere sphere = spheres[s];
-                if (!sphere.CanClip)
-                    continue;
-                SphereF centred = grid.ToCentred(sphere);
-                rows[count].CentreRadius = new Vector4(centred.X, centred.Y, centred.Z, centred.Radius);
-                rows[count].MaskOffset = (uint)(count * wordsPerMask);
-                sphere.Mask.CopyWordsTo(words, count * wordsPerMask);
-                count++;
+                for (int slot = 0; slot < index.SlotCount; slot++)
+                    Fill(slot);
+                if (index.SlotCount > 0)
+                {
+                    Spheres.SetData(rows, 0, 0, index.SlotCount);
+                    MaskWords.SetData(words, 0, 0, index.SlotCount * wordsPerMask);
+                }
+                return;
             }
-            Count = count;
-            if (count > 0)
+            IReadOnlyList<int> changed = index.ChangedSlots;
+            for (int n = 0; n < changed.Count; n++)
             {
-                Spheres.SetData(rows, 0, 0, count);
-                MaskWords.SetData(words, 0, 0, count * wordsPerMask);
+                Fill(changed[n]);
+                Spheres.SetData(rows, changed[n], changed[n], 1);
+                MaskWords.SetData(words, changed[n] * wordsPerMask, changed[n] * wordsPerMask, wordsPerMask);
             }
         }
 
@@ -74,24 +75,31 @@ namespace AnatomyCarve
             MaskWords = null;
         }
 
-        const string SpheresName = "AnatomyCarve clip spheres";
-        const string MaskWordsName = "AnatomyCarve clip masks";
+        void Fill(int slot)
+        {
+            SphereF place = index.PlaceOf(slot);
+            rows[slot].CentreRadius = new Vector4(place.X, place.Y, place.Z, place.Radius);
+            rows[slot].MaskOffset = (uint)(slot * wordsPerMask);
+            index.MaskOf(slot).CopyWordsTo(words, slot * wordsPerMask);
+        }
 
-        void Reserve(int count)
+        /// <returns>Whether the buffers are new and empty.</returns>
+        bool Reserve(int count)
         {
             int capacity = rows.Length;
             while (capacity < count)
                 capacity *= 2;
             if (IsValid && capacity == rows.Length)
-                return;
+                return false;
             if (capacity > rows.Length)
             {
-                rows = new SphereRow[capacity];
-                words = new uint[capacity * wordsPerMask];
+                Array.Resize(ref rows, capacity);
+                Array.Resize(ref words, capacity * wordsPerMask);
             }
             Dispose();
             Spheres = GpuObjects.CreateBuffer(SpheresName, rows.Length, Marshal.SizeOf<SphereRow>());
             MaskWords = GpuObjects.CreateBuffer(MaskWordsName, words.Length, sizeof(uint));
+            return true;
         }
 
         /// <summary><c>SphereRow</c> of <c>Shaders/VolumeLayout.hlsl</c>, 32 bytes.</summary>

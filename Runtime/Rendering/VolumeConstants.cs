@@ -36,15 +36,18 @@ namespace AnatomyCarve
         /// <summary>The volume's grid in float, as the kernels see it.</summary>
         public CentredGrid Grid { get; }
 
-        public void Set(OpacityTransferFunction transferFunction, SphereBuffers spheres, CutMode cut, AntiAliasSettings antiAliasing)
+        /// <summary>The transfer function as it is applied to intensity codes.</summary>
+        public OpacityLookup Lookup { get; private set; }
+
+        public void Set(OpacityTransferFunction transferFunction, SphereBuffers spheres, int sphereCount, CutMode cut, AntiAliasSettings antiAliasing)
         {
             if (transferFunction != lookedUp)
             {
-                var lookup = new OpacityLookup(transferFunction, volume.Intensity);
-                intensityToLookup = new Vector4(lookup.Scale, lookup.Offset, OpacityLookup.LastEntry, 0f);
+                Lookup = new OpacityLookup(transferFunction, volume.Intensity);
+                intensityToLookup = new Vector4(Lookup.Scale, Lookup.Offset, OpacityLookup.LastEntry, 0f);
                 lookedUp = transferFunction;
             }
-            counts = new Vector4(spheres.Count, spheres.WordsPerMask, volume.Segments.Count, cut == CutMode.Smooth ? 1f : 0f);
+            counts = new Vector4(sphereCount, spheres.WordsPerMask, volume.Segments.Count, cut == CutMode.Smooth ? 1f : 0f);
             antiAlias = new Vector4(antiAliasing.ThresholdAbsolute, antiAliasing.ThresholdRelative, antiAliasing.GradientMinimum, antiAliasing.Strength);
         }
 

@@ -16,7 +16,7 @@ namespace AnatomyCarve
         Material material;
         object boundTo; // a pipeline's identity
         int boundVersion;
-        Vector4 march, shading;
+        Vector4 march, skip, shading;
         Vector3 lightDirection;
         Color lightColor;
 
@@ -59,7 +59,8 @@ namespace AnatomyCarve
         /// <summary>Sets the material's values, if any has changed.</summary>
         public void Bind(CarvePipeline pipeline, RenderQuality quality, LightSettings light)
         {
-            if (boundTo == pipeline.Identity && boundVersion == pipeline.Version && march == quality.March && shading == light.Shading && lightDirection == light.Direction
+            if (boundTo == pipeline.Identity && boundVersion == pipeline.Version && march == quality.March && skip == quality.Skip
+                && shading == light.Shading && lightDirection == light.Direction
                 && lightColor == light.Color)
                 return;
             if (boundTo != pipeline.Identity)
@@ -68,10 +69,12 @@ namespace AnatomyCarve
             pipeline.BindForRays(values);
             light.Bind(values);
             values.SetVector(ShaderIds.March, quality.March);
+            values.SetVector(ShaderIds.Skip, quality.Skip);
             values.SetVector(ShaderIds.LightDirection, light.UnitDirection);
             boundTo = pipeline.Identity;
             boundVersion = pipeline.Version;
             march = quality.March;
+            skip = quality.Skip;
             shading = light.Shading;
             lightDirection = light.Direction;
             lightColor = light.Color;

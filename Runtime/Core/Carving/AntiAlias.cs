@@ -4,8 +4,8 @@ namespace AnatomyCarve.Carving
 {
     /// <summary>
     /// The CPU twin of the kernel <c>AntiAlias</c>: FXAA (T. Lottes, "FXAA", NVIDIA 2009) carried to three dimensions. Where the 27 opacities around a
-    /// voxel differ enough and have a gradient, the voxel is blended with those neighbours that lie along the surface; elsewhere it stays as it
-    /// is. In float, as the kernel; results agree within one 8-bit code.
+    /// voxel differ enough and have a gradient, the voxel is blended with those neighbours that lie along the surface; elsewhere, and in structures and gaps
+    /// a few voxels thin, it stays as it is. In float, as the kernel; results agree within one 8-bit code.
     /// </summary>
     public static class AntiAlias
     {
@@ -25,6 +25,15 @@ namespace AnatomyCarve.Carving
         /// A contrast that equals its threshold, but for rounding, is above it: 8-bit opacities meet thresholds exactly (the kernel's TIE).
         /// </summary>
         public const float Tie = 0.99999f;
+
+        /// <summary>
+        /// Of a neighbourhood less filled than this (its mean between its lowest and highest opacity) no opacity is lowered: it is a structure a few voxels
+        /// thin. Beside gaps so thin none is raised (the kernel's THIN).
+        /// </summary>
+        public const float Thin = 0.42f;
+
+        /// <summary>From <see cref="Thin"/> on, over so much more, the blend sets in (the kernel's THIN_RANGE).</summary>
+        public const float ThinRange = 0.13f;
 
         /// <summary>The sum of the Sobel operator's weights on both sides, by which its gradient is divided.</summary>
         public const float SobelWeightSum = 32f;
@@ -51,19 +60,23 @@ namespace AnatomyCarve.Carving
             float centre = o[Centre];
             float low = centre;
             float high = centre;
+            float sum = 0;
             foreach (float opacity in o)
             {
                 low = Math.Min(low, opacity);
                 high = Math.Max(high, opacity);
+                sum += opacity;
             }
-            if (settings.Strength == 0 || high - low < Tie * Math.Max(settings.ThresholdAbsolute, settings.ThresholdRelative * high))
+            if (settings.Strength == 0 || high == low || high - low < Tie * Math.Max(settings.ThresholdAbsolute, settings.ThresholdRelative * high))
                 return centre;
             Gradient(o, out float gx, out float gy, out float gz);
             float size = (float)Math.Sqrt(gx * gx + gy * gy + gz * gz);
             if (size < Math.Max(settings.GradientMinimum, NoGradient))
                 return centre;
-            float blend = BlendAlongSurface(o, gx / size, gy / size, gz / size);
-            float result = centre + settings.Strength * (blend - centre);
+            float change = BlendAlongSurface(o, gx / size, gy / size, gz / size) - centre;
+            float filled = (sum / Neighbourhood - low) / (high - low);
+            float kept = Math.Max(0, Math.Min(1, ((change < 0 ? filled : 1 - filled) - Thin) / ThinRange));
+            float result = centre + settings.Strength * kept * change;
             return Math.Max(low, Math.Min(high, result));
         }
 

@@ -10,7 +10,7 @@ namespace AnatomyCarve.Carving
     public sealed class BrickGrid
     {
         /// <summary>Voxels along a brick's edge.</summary>
-        public const int BrickSize = 8;
+        public const int BrickSize = BlockContents.BlockSize;
 
         /// <summary>Voxels in a brick.</summary>
         public const int VoxelsPerBrick = BrickSize * BrickSize * BrickSize;
@@ -94,6 +94,16 @@ namespace AnatomyCarve.Carving
             y = rest % BricksY;
             z = rest / BricksY;
         }
+
+        /// <summary>Whether there is such a brick.</summary>
+        public bool Contains(int x, int y, int z) => (uint)x < (uint)BricksX && (uint)y < (uint)BricksY && (uint)z < (uint)BricksZ;
+
+        /// <summary>The voxels of a brick that lie in the volume. The brick is not checked.</summary>
+        public VoxelBox VoxelsOf(int x, int y, int z) => new VoxelBox
+        {
+            MinI = x * BrickSize, MinJ = y * BrickSize, MinK = z * BrickSize,
+            MaxI = Math.Min((x + 1) * BrickSize, SizeI) - 1, MaxJ = Math.Min((y + 1) * BrickSize, SizeJ) - 1, MaxK = Math.Min((z + 1) * BrickSize, SizeK) - 1,
+        };
 
         /// <summary>Every brick, packed, in the order of their numbers.</summary>
         public uint[] PackAll()

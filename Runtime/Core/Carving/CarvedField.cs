@@ -17,9 +17,11 @@ namespace AnatomyCarve.Carving
         readonly OpacityCache[] raw;
         readonly VoxelCache[] smoothed;
         readonly DirtyBrickSet dirty;
+        readonly SphereIndex index;
         readonly MatterMap matter;
         readonly float[] around = new float[AntiAlias.Neighbourhood];
         CarvingInputs inputs;
+        VisibleContents contents;
         VoxelOpacity opacity;
 
         /// <summary>Prepares a field; <see cref="Update"/> says what it shows.</summary>
@@ -36,7 +38,8 @@ namespace AnatomyCarve.Carving
             Bricks = new BrickGrid(volume.Geometry);
             raw = new OpacityCache[Bricks.Count];
             smoothed = new VoxelCache[Bricks.Count];
-            dirty = new DirtyBrickSet(Bricks, Grid);
+            index = new SphereIndex(Bricks, Grid);
+            dirty = new DirtyBrickSet(Bricks, Grid) { Index = index };
             matter = new MatterMap(Bricks);
             CacheLimitBytes = cacheLimitBytes;
         }
@@ -81,6 +84,7 @@ namespace AnatomyCarve.Carving
             CarvingInputs wanted = CarvingInputs.Take(Volume, spheres, transferFunction, segments, cut, antiAlias);
             bool sharesOpacities = inputs != null && inputs.SharesOpacitiesWith(wanted);
             bool sharesAntiAlias = sharesOpacities && inputs.AntiAlias.Equals(wanted.AntiAlias);
+            index.Update(wanted.Spheres);
             if (sharesOpacities)
                 ForgetBetween(inputs, wanted, cut, 0, raw);
             else
@@ -92,9 +96,12 @@ namespace AnatomyCarve.Carving
             bool sharesLookup = inputs != null && inputs.SharesTransferFunctionWith(wanted);
             OpacityLookup lookup = sharesLookup ? opacity.Lookup : new OpacityLookup(transferFunction, Volume.Intensity);
             inputs = wanted;
-            opacity = new VoxelOpacity(Volume, Grid, Bricks, wanted.Spheres, lookup, wanted.SegmentOpacities, cut);
             if (!sharesOpacities)
+            {
+                dirty.Contents = contents = VisibleContents.Of(Volume, lookup, wanted.SegmentOpacities);
                 matter.Forget();
+            }
+            opacity = new VoxelOpacity(Volume, Grid, Bricks, index, contents, lookup, wanted.SegmentOpacities, cut);
         }
 
         /// <summary>Eq. 1 for a voxel, whatever the cut mode.</summary>

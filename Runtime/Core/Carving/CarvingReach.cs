@@ -13,10 +13,16 @@ namespace AnatomyCarve.Carving
         public const int AntiAliasVoxels = 1;
 
         /// <summary>Voxels that SobelNormals reads on each side of a voxel.</summary>
-        public const int SobelVoxels = 1;
+        public const int SobelVoxels = 3;
 
         /// <summary>Voxels by which a changed opacity can change something in the last volume stage.</summary>
         public const int NormalsVoxels = AntiAliasVoxels + SobelVoxels;
+
+        /// <summary>
+        /// How near to a sphere's surface a voxel may take the sphere's normal, in extents of a voxel along it (the kernel's SURFACE_REACH): as far as the voxels
+        /// between which a visible point of a cut lies.
+        /// </summary>
+        public const double SurfaceExtents = 1.75;
 
         /// <summary>
         /// What the float computation of a distance may be off by, relative to the lengths that enter it. Rounding is below 1e-6 (eight roundings
@@ -58,10 +64,18 @@ namespace AnatomyCarve.Carving
         /// <exception cref="ArgumentNullException"><paramref name="grid"/> is null.</exception>
         public static bool TryVoxelBox(CentredGrid grid, in SphereF sphere, CutMode cut, int haloVoxels, out VoxelBox box)
         {
+            if (grid == null)
+                throw new ArgumentNullException(nameof(grid));
+            return TryVoxelBox(grid, sphere, BeyondRadiusMm(grid, sphere, cut), haloVoxels, out box);
+        }
+
+        /// <summary>The same for what is felt some millimetres beyond the radius.</summary>
+        internal static bool TryVoxelBox(CentredGrid grid, in SphereF sphere, double beyondRadiusMm, int haloVoxels, out VoxelBox box)
+        {
             box = default;
-            double reach = sphere.Radius + BeyondRadiusMm(grid, sphere, cut);
             if (!(sphere.Radius > 0))
                 return false;
+            double reach = sphere.Radius + beyondRadiusMm;
             VolumeGeometry geometry = grid.Geometry;
             Affine lpsToIjk = geometry.LpsToIjk;
             return Along(lpsToIjk, 0, sphere, reach, grid.CentreI, geometry.SizeI, haloVoxels, out box.MinI, out box.MaxI)

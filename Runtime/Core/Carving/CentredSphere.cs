@@ -1,23 +1,19 @@
 namespace AnatomyCarve.Carving
 {
-    /// <summary>A clip sphere with its place in a volume's centred millimetres and how far it can be felt.</summary>
+    /// <summary>A clip sphere's place in a volume's centred millimetres, and its mask.</summary>
     readonly struct CentredSphere
     {
         /// <summary>What one holds in memory.</summary>
-        public const int Bytes = 32;
+        public const int Bytes = 24;
 
-        public CentredSphere(SphereF place, SegmentMask mask, double reachMm)
+        public CentredSphere(SphereF place, SegmentMask mask)
         {
             Place = place;
             Mask = mask;
-            ReachMm = reachMm;
         }
 
         public SphereF Place { get; }
 
         public SegmentMask Mask { get; }
-
-        /// <summary>Voxel centres farther away than this are not touched.</summary>
-        public double ReachMm { get; }
     }
 }

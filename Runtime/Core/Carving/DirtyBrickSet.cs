@@ -4,9 +4,9 @@ using System.Collections.Generic;
 namespace AnatomyCarve.Carving
 {
     /// <summary>
-    /// The bricks of a volume whose result can differ after an edit. An edit goes in (two carvings), bricks come out: never too few; how much
-    /// too many is what later work makes smaller. Owned by one caller, who computes again and again: after the first use, work and memory
-    /// follow the bricks that are dirty and not the volume. Not thread safe.
+    /// The bricks of a volume whose result can differ after an edit. An edit goes in (two carvings), bricks come out, never too few: those in which the
+    /// coverage of a visible voxel can change. Owned by one caller, who computes again and again: after the first use, work and memory follow the bricks
+    /// that are dirty and not the volume. Not thread safe.
     /// <code>
     /// var dirty = new DirtyBrickSet(bricks, grid);                                     // once
     /// dirty.Compute(before, after, cut, CarvingReach.AntiAliasVoxels);                 // per edit and stage
@@ -15,9 +15,20 @@ namespace AnatomyCarve.Carving
     /// </summary>
     public sealed class DirtyBrickSet
     {
+        /// <summary>Up to so many differing spheres, each brick's own surroundings are looked at; beyond, all bricks around a dirty one are dirty too.</summary>
+        const int FewSpheres = 16;
+
+        const int Size = BrickGrid.BrickSize;
+
         readonly CentredGrid grid;
-        readonly bool[] isDirty;
-        readonly List<int> indices = new List<int>();
+        readonly SphereReach reach;
+        readonly SphereDifference difference = new SphereDifference();
+        readonly List<Changed> removed = new List<Changed>(), added = new List<Changed>();
+        readonly BrickSet touched, dirty; // touched: without a halo
+        IReadOnlyList<ClipSphere> lastBefore, lastAfter;
+        CutMode lastCut;
+        VisibleContents contents;
+        SphereIndex index;
 
         /// <summary>Makes a set without bricks.</summary>
         /// <param name="bricks">The volume's bricks.</param>
@@ -27,17 +38,19 @@ namespace AnatomyCarve.Carving
         {
             Bricks = bricks ?? throw new ArgumentNullException(nameof(bricks));
             this.grid = grid ?? throw new ArgumentNullException(nameof(grid));
-            isDirty = new bool[bricks.Count];
+            reach = new SphereReach(grid);
+            touched = new BrickSet(bricks.Count);
+            dirty = new BrickSet(bricks.Count);
         }
 
         /// <summary>The volume's bricks.</summary>
         public BrickGrid Bricks { get; }
 
         /// <summary>The numbers of the dirty bricks, ascending; another list after the next <see cref="Compute"/>.</summary>
-        public IReadOnlyList<int> Indices => indices;
+        public IReadOnlyList<int> Indices => dirty.Indices;
 
         /// <summary>The number of dirty bricks.</summary>
-        public int Count => indices.Count;
+        public int Count => dirty.Indices.Count;
 
         /// <summary>Whether every brick is dirty.</summary>
         public bool IsAll => Count == Bricks.Count;
@@ -45,45 +58,89 @@ namespace AnatomyCarve.Carving
         /// <summary>Whether no brick is dirty.</summary>
         public bool IsNone => Count == 0;
 
+        /// <summary>What is visible before carving: bricks in which no sphere's mask holds a visible segment stay clean. Null = anything may be visible.</summary>
+        /// <exception cref="ArgumentException">It is another volume's.</exception>
+        public VisibleContents Contents
+        {
+            get => contents;
+            set
+            {
+                if (value != null && value.Count != Bricks.Count)
+                    throw new ArgumentException(FormattableString.Invariant($"There are contents of {value.Count} bricks for {Bricks.Count}."), nameof(value));
+                contents = value;
+                lastBefore = null;
+            }
+        }
+
+        /// <summary>
+        /// The later carving's spheres, updated to it from the earlier one: where one that both have hides all that an edit could change, nothing is dirty.
+        /// Null = that is not looked for.
+        /// </summary>
+        public SphereIndex Index
+        {
+            get => index;
+            set
+            {
+                index = value;
+                lastBefore = null;
+            }
+        }
+
         /// <summary>Whether the brick of this number is dirty.</summary>
         /// <exception cref="ArgumentOutOfRangeException">There is no such brick.</exception>
         public bool this[int brickIndex]
         {
             get
             {
-                if (brickIndex < 0 || brickIndex >= isDirty.Length)
+                if (brickIndex < 0 || brickIndex >= Bricks.Count)
                     throw new ArgumentOutOfRangeException(nameof(brickIndex), brickIndex,
-                        FormattableString.Invariant($"The bricks are 0 to {isDirty.Length - 1}."));
-                return isDirty[brickIndex];
+                        FormattableString.Invariant($"The bricks are 0 to {Bricks.Count - 1}."));
+                return dirty[brickIndex];
             }
         }
 
         /// <summary>
-        /// Takes the bricks whose result can differ between two carvings of the volume, and no others: those that hold a voxel of the box around a
-        /// sphere which only one of the two has, widened by a halo. Spheres that both have, in whatever order, make nothing dirty.
+        /// Takes the bricks whose result can differ between two carvings of the volume: those with a voxel, or one within the halo of it, that a sphere which
+        /// only one of the two has covers in part, or covers wholly while no sphere of the other does (with that voxel's visible segment in both masks).
+        /// Spheres that both have, in whatever order, make nothing dirty.
         /// </summary>
         /// <param name="before">The carving that the results in store were made with.</param>
         /// <param name="after">The carving that is wanted.</param>
         /// <param name="cut">The cut mode of both.</param>
         /// <param name="haloVoxels">
         /// 0 for the opacity itself, <see cref="CarvingReach.AntiAliasVoxels"/> for the anti-aliased opacity, <see cref="CarvingReach.NormalsVoxels"/>
-        /// for the normals.
+        /// for the normals: at most a brick's size.
         /// </param>
         /// <exception cref="ArgumentNullException">A carving is null.</exception>
-        /// <exception cref="ArgumentOutOfRangeException">The halo is negative.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">The halo is negative, or wider than a brick.</exception>
         public void Compute(IReadOnlyList<ClipSphere> before, IReadOnlyList<ClipSphere> after, CutMode cut, int haloVoxels)
         {
-            if (haloVoxels < 0)
-                throw new ArgumentOutOfRangeException(nameof(haloVoxels), haloVoxels, "A halo is 0 voxels or more.");
-            IReadOnlyList<ClipSphere> different = SphereDifference.Between(before, after);
-            Clear();
-            foreach (ClipSphere sphere in different)
-            {
-                if (sphere.CanClip && CarvingReach.TryVoxelBox(grid, grid.ToCentred(sphere), cut, haloVoxels, out VoxelBox box))
-                    Mark(box);
-            }
-            if (different.Count > 1)
-                indices.Sort();
+            if (haloVoxels < 0 || haloVoxels > Size)
+                throw new ArgumentOutOfRangeException(nameof(haloVoxels), haloVoxels, FormattableString.Invariant($"A halo is 0 to {Size} voxels."));
+            bool isSame = before is CarvingSnapshot && after is CarvingSnapshot
+                && ReferenceEquals(before, lastBefore) && ReferenceEquals(after, lastAfter) && cut == lastCut;
+            if (!isSame)
+                Touch(before, after, cut);
+            lastBefore = before;
+            lastAfter = after;
+            lastCut = cut;
+            dirty.CopyFrom(touched);
+            if (haloVoxels > 0)
+                Widen(haloVoxels);
+            dirty.Sort();
+        }
+
+        /// <summary>
+        /// Takes the bricks whose normals can differ: those of <see cref="Compute"/> with the halo of the normals, and those in which a sphere that only one of
+        /// the two has could lend voxels its own normal, or take away the surface of another.
+        /// </summary>
+        /// <inheritdoc cref="Compute"/>
+        public void ComputeNormals(IReadOnlyList<ClipSphere> before, IReadOnlyList<ClipSphere> after, CutMode cut)
+        {
+            Compute(before, after, cut, CarvingReach.NormalsVoxels);
+            AddSurfaces(removed, added);
+            AddSurfaces(added, removed);
+            dirty.Sort();
         }
 
         /// <summary>Writes the dirty bricks as the kernels take them, in the order of their numbers: <see cref="BrickGrid.Pack"/>.</summary>
@@ -96,33 +153,161 @@ namespace AnatomyCarve.Carving
                 throw new ArgumentNullException(nameof(destination));
             if (destination.Length < Count)
                 throw new ArgumentException(FormattableString.Invariant($"{Count} bricks do not fit into {destination.Length}."), nameof(destination));
-            for (int n = 0; n < indices.Count; n++)
+            for (int n = 0; n < Count; n++)
             {
-                Bricks.BrickAt(indices[n], out int x, out int y, out int z);
+                Bricks.BrickAt(dirty.Indices[n], out int x, out int y, out int z);
                 destination[n] = BrickGrid.Pack(x, y, z);
             }
         }
 
-        void Clear()
+        void Touch(IReadOnlyList<ClipSphere> before, IReadOnlyList<ClipSphere> after, CutMode cut)
         {
-            foreach (int index in indices)
-                isDirty[index] = false;
-            indices.Clear();
+            difference.Between(before, after);
+            Ready(difference.Removed, removed, cut);
+            Ready(difference.Added, added, cut);
+            touched.Clear();
+            Touch(removed, added, cut);
+            Touch(added, removed, cut);
         }
 
-        void Mark(in VoxelBox box)
+        void Ready(List<ClipSphere> spheres, List<Changed> changed, CutMode cut)
         {
-            for (int z = box.MinK / BrickGrid.BrickSize; z <= box.MaxK / BrickGrid.BrickSize; z++)
-                for (int y = box.MinJ / BrickGrid.BrickSize; y <= box.MaxJ / BrickGrid.BrickSize; y++)
-                    for (int x = box.MinI / BrickGrid.BrickSize; x <= box.MaxI / BrickGrid.BrickSize; x++)
-                    {
-                        int index = Bricks.IndexOf(x, y, z);
-                        if (!isDirty[index])
+            changed.Clear();
+            foreach (ClipSphere sphere in spheres)
+            {
+                SphereF place = grid.ToCentred(sphere);
+                if (reach.TrySurfaceBox(place, out VoxelBox box))
+                    changed.Add(new Changed(sphere.Mask, reach.Of(place, cut), reach.SurfaceOf(place), box));
+            }
+        }
+
+        void Touch(List<Changed> spheres, List<Changed> opposite, CutMode cut)
+        {
+            foreach (Changed sphere in spheres)
+                for (int z = sphere.Box.MinK / Size; z <= sphere.Box.MaxK / Size; z++)
+                    for (int y = sphere.Box.MinJ / Size; y <= sphere.Box.MaxJ / Size; y++)
+                        for (int x = sphere.Box.MinI / Size; x <= sphere.Box.MaxI / Size; x++)
                         {
-                            isDirty[index] = true;
-                            indices.Add(index);
+                            int brick = Bricks.IndexOf(x, y, z);
+                            if (!touched[brick] && Matters(sphere, opposite, cut, x, y, z, Bricks.VoxelsOf(x, y, z)))
+                                touched.Add(brick);
                         }
-                    }
+        }
+
+        /// <summary>The bricks around a touched one are dirty where they are within the halo of a voxel that can differ.</summary>
+        void Widen(int haloVoxels)
+        {
+            bool few = removed.Count + added.Count <= FewSpheres;
+            for (int n = 0; n < touched.Indices.Count; n++)
+            {
+                Bricks.BrickAt(touched.Indices[n], out int x, out int y, out int z);
+                for (int dz = -1; dz <= 1; dz++)
+                    for (int dy = -1; dy <= 1; dy++)
+                        for (int dx = -1; dx <= 1; dx++)
+                        {
+                            if (!Bricks.Contains(x + dx, y + dy, z + dz))
+                                continue;
+                            int beside = Bricks.IndexOf(x + dx, y + dy, z + dz);
+                            if (!dirty[beside] && (!few || Differs(x, y, z, Side(x, y, z, dx, dy, dz, haloVoxels))))
+                                dirty.Add(beside);
+                        }
+            }
+        }
+
+        /// <summary>The voxels of a brick that lie within a halo of its neighbour in a direction.</summary>
+        VoxelBox Side(int x, int y, int z, int dx, int dy, int dz, int haloVoxels)
+        {
+            VoxelBox box = Bricks.VoxelsOf(x, y, z);
+            Narrow(dx, haloVoxels, ref box.MinI, ref box.MaxI);
+            Narrow(dy, haloVoxels, ref box.MinJ, ref box.MaxJ);
+            Narrow(dz, haloVoxels, ref box.MinK, ref box.MaxK);
+            return box;
+        }
+
+        static void Narrow(int direction, int haloVoxels, ref int min, ref int max)
+        {
+            if (direction < 0)
+                max = Math.Min(max, min + haloVoxels - 1);
+            else if (direction > 0)
+                min = Math.Max(min, max - haloVoxels + 1);
+        }
+
+        void AddSurfaces(List<Changed> spheres, List<Changed> opposite)
+        {
+            foreach (Changed sphere in spheres)
+                for (int z = sphere.Box.MinK / Size; z <= sphere.Box.MaxK / Size; z++)
+                    for (int y = sphere.Box.MinJ / Size; y <= sphere.Box.MaxJ / Size; y++)
+                        for (int x = sphere.Box.MinI / Size; x <= sphere.Box.MaxI / Size; x++)
+                        {
+                            int brick = Bricks.IndexOf(x, y, z);
+                            if (!dirty[brick] && LendsNormals(sphere, opposite, x, y, z))
+                                dirty.Add(brick);
+                        }
+        }
+
+        /// <summary>Whether a sphere that only one carving has can change the normals of a brick by itself, without a change of opacity near by.</summary>
+        bool LendsNormals(in Changed sphere, List<Changed> opposite, int x, int y, int z)
+        {
+            int brick = Bricks.IndexOf(x, y, z);
+            if (contents != null && !sphere.Mask.HoldsAny(contents[brick]))
+                return false;
+            VoxelBox box = Bricks.VoxelsOf(x, y, z);
+            BoxCover cover = reach.Cover(sphere.Surface, box);
+            if (cover != BoxCover.Whole)
+                return cover == BoxCover.Part;
+            foreach (Changed other in opposite)
+                if (reach.Cover(other.Surface, box) == BoxCover.Part)
+                    return true;
+            return index == null || index.HasOtherSurfaceIn(x, y, z);
+        }
+
+        bool Differs(int x, int y, int z, in VoxelBox box)
+        {
+            foreach (Changed sphere in removed)
+                if (Matters(sphere, added, lastCut, x, y, z, box))
+                    return true;
+            foreach (Changed sphere in added)
+                if (Matters(sphere, removed, lastCut, x, y, z, box))
+                    return true;
+            return false;
+        }
+
+        /// <summary>Whether a sphere that only one carving has can make a difference to the voxels of a box within a brick.</summary>
+        bool Matters(in Changed sphere, List<Changed> opposite, CutMode cut, int x, int y, int z, in VoxelBox box)
+        {
+            ReadOnlySpan<ushort> segments = contents == null ? default : contents[Bricks.IndexOf(x, y, z)];
+            if (contents != null && !sphere.Mask.HoldsAny(segments))
+                return false;
+            BoxCover cover = reach.Cover(sphere.Place, box);
+            if (cover == BoxCover.None)
+                return false;
+            if (cover == BoxCover.Whole && opposite.Count <= FewSpheres)
+                foreach (Changed other in opposite)
+                    if ((contents == null ? sphere.Mask.Equals(other.Mask) : sphere.Mask.IsWithin(other.Mask, segments))
+                        && reach.Cover(other.Place, box) == BoxCover.Whole)
+                        return false;
+            return index == null || contents == null || !index.IsHiddenByOthers(x, y, z, box, cut, sphere.Mask, segments);
+        }
+
+        /// <summary>A sphere that only one of the carvings has.</summary>
+        readonly struct Changed
+        {
+            public Changed(SegmentMask mask, in SphereReach.Ready place, in SphereReach.Ready surface, in VoxelBox box)
+            {
+                Mask = mask;
+                Place = place;
+                Surface = surface;
+                Box = box;
+            }
+
+            public SegmentMask Mask { get; }
+
+            public SphereReach.Ready Place { get; }
+
+            public SphereReach.Ready Surface { get; }
+
+            /// <summary>The voxels whose coverage or normal it can change.</summary>
+            public VoxelBox Box { get; }
         }
     }
 }

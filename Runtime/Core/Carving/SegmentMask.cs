@@ -46,6 +46,35 @@ namespace AnatomyCarve.Carving
             }
         }
 
+        /// <summary>Whether any of the segments is clipped. They are not checked.</summary>
+        internal bool HoldsAny(ReadOnlySpan<ushort> segments)
+        {
+            foreach (ushort segment in segments)
+                if ((words[segment / BitsPerWord] & Bit(segment)) != 0)
+                    return true;
+            return false;
+        }
+
+        /// <summary>Whether all of the segments are clipped. They are not checked.</summary>
+        internal bool HoldsAll(ReadOnlySpan<ushort> segments)
+        {
+            if (IsAll)
+                return true;
+            foreach (ushort segment in segments)
+                if ((words[segment / BitsPerWord] & Bit(segment)) == 0)
+                    return false;
+            return true;
+        }
+
+        /// <summary>Whether the segments that this mask clips are all clipped by another one too.</summary>
+        internal bool IsWithin(SegmentMask other, ReadOnlySpan<ushort> segments)
+        {
+            foreach (ushort segment in segments)
+                if ((words[segment / BitsPerWord] & ~other.words[segment / BitsPerWord] & Bit(segment)) != 0)
+                    return false;
+            return true;
+        }
+
         /// <summary>A mask that clips every one of the segments.</summary>
         /// <exception cref="ArgumentOutOfRangeException">The number is not 1 to <see cref="SegmentTable.MaximumCount"/>.</exception>
         public static SegmentMask All(int segmentCount)

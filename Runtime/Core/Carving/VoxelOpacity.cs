@@ -12,11 +12,12 @@ namespace AnatomyCarve.Carving
         readonly BrickGrid bricks;
         readonly float[] segmentOpacities;
         readonly CutMode cut;
-        readonly CentredSphere[] spheres;
-        readonly double brickRadiusMm;
+        readonly SphereIndex index;
+        readonly VisibleContents contents;
+        readonly List<int> slots = new List<int>();
 
         public VoxelOpacity(
-            SegmentedVolume volume, CentredGrid grid, BrickGrid bricks, IReadOnlyList<ClipSphere> carving,
+            SegmentedVolume volume, CentredGrid grid, BrickGrid bricks, SphereIndex index, VisibleContents contents,
             OpacityLookup lookup, float[] segmentOpacities, CutMode cut)
         {
             this.volume = volume;
@@ -25,8 +26,8 @@ namespace AnatomyCarve.Carving
             Lookup = lookup;
             this.segmentOpacities = segmentOpacities;
             this.cut = cut;
-            spheres = Effective(carving, grid, cut);
-            brickRadiusMm = BrickRadiusMm(grid);
+            this.index = index;
+            this.contents = contents;
         }
 
         public OpacityLookup Lookup { get; }
@@ -34,11 +35,13 @@ namespace AnatomyCarve.Carving
         /// <summary>Eq. 1 for one voxel.</summary>
         public bool IsClipped(int i, int j, int k)
         {
-            int segment = volume.Labels.Indices[VoxelIndex(i, j, k)];
+            Span<ushort> segment = stackalloc ushort[] { volume.Labels.Indices[VoxelIndex(i, j, k)] };
+            slots.Clear();
+            index.Gather(i / BrickGrid.BrickSize, j / BrickGrid.BrickSize, k / BrickGrid.BrickSize, CutMode.Binary, segment, slots);
             grid.Position(i, j, k, out float x, out float y, out float z);
-            foreach (CentredSphere sphere in spheres)
+            foreach (int slot in slots)
             {
-                if (sphere.Mask[segment] && ClipTest.Inside(sphere.Place, x, y, z))
+                if (ClipTest.Inside(index.PlaceOf(slot), x, y, z))
                     return true;
             }
             return false;
@@ -55,40 +58,17 @@ namespace AnatomyCarve.Carving
             return ToCode((float)(opacity * (float)(1 - coverage)));
         }
 
-        /// <summary>Whether any voxel of a brick is above 0 when nothing is clipped.</summary>
-        public bool HasMatter(int brickX, int brickY, int brickZ)
-        {
-            int lastI = Math.Min((brickX + 1) * BrickGrid.BrickSize, bricks.SizeI);
-            int lastJ = Math.Min((brickY + 1) * BrickGrid.BrickSize, bricks.SizeJ);
-            int lastK = Math.Min((brickZ + 1) * BrickGrid.BrickSize, bricks.SizeK);
-            for (int k = brickZ * BrickGrid.BrickSize; k < lastK; k++)
-                for (int j = brickY * BrickGrid.BrickSize; j < lastJ; j++)
-                    for (int i = brickX * BrickGrid.BrickSize; i < lastI; i++)
-                    {
-                        if (ToCode(Uncut(VoxelIndex(i, j, k))) > 0)
-                            return true;
-                    }
-            return false;
-        }
+        /// <summary>Whether any voxel of a brick may be above 0 when nothing is clipped.</summary>
+        public bool HasMatter(int brickX, int brickY, int brickZ) => contents[bricks.IndexOf(brickX, brickY, brickZ)].Length > 0;
 
-        /// <summary>Lists the spheres that can touch a voxel of a brick, and perhaps a few that cannot.</summary>
+        /// <summary>Lists the spheres that can touch a visible voxel of a brick, and perhaps a few that cannot.</summary>
         public void FindReaching(int brickX, int brickY, int brickZ, List<CentredSphere> reaching)
         {
-            const float ToMiddle = (BrickGrid.BrickSize - 1) * 0.5f;
-            double fi = brickX * BrickGrid.BrickSize + ToMiddle - grid.CentreI;
-            double fj = brickY * BrickGrid.BrickSize + ToMiddle - grid.CentreJ;
-            double fk = brickZ * BrickGrid.BrickSize + ToMiddle - grid.CentreK;
-            double x = grid[0, 0] * fi + grid[0, 1] * fj + grid[0, 2] * fk;
-            double y = grid[1, 0] * fi + grid[1, 1] * fj + grid[1, 2] * fk;
-            double z = grid[2, 0] * fi + grid[2, 1] * fj + grid[2, 2] * fk;
+            slots.Clear();
+            index.Gather(brickX, brickY, brickZ, cut, contents[bricks.IndexOf(brickX, brickY, brickZ)], slots);
             reaching.Clear();
-            foreach (CentredSphere sphere in spheres)
-            {
-                double dx = x - sphere.Place.X, dy = y - sphere.Place.Y, dz = z - sphere.Place.Z;
-                double reach = sphere.ReachMm + brickRadiusMm;
-                if (!(dx * dx + dy * dy + dz * dz > reach * reach))
-                    reaching.Add(sphere);
-            }
+            foreach (int slot in slots)
+                reaching.Add(new CentredSphere(index.PlaceOf(slot), index.MaskOf(slot)));
         }
 
         float Uncut(long voxel) =>
@@ -109,34 +89,5 @@ namespace AnatomyCarve.Carving
         static byte ToCode(float opacity) => (byte)Math.Round((float)(opacity * 255f), MidpointRounding.ToEven);
 
         long VoxelIndex(int i, int j, int k) => i + (long)bricks.SizeI * (j + (long)bricks.SizeJ * k);
-
-        static CentredSphere[] Effective(IReadOnlyList<ClipSphere> carving, CentredGrid grid, CutMode cut)
-        {
-            var effective = new List<CentredSphere>(carving.Count);
-            foreach (ClipSphere sphere in carving)
-            {
-                if (sphere.CanClip)
-                {
-                    SphereF place = grid.ToCentred(sphere);
-                    effective.Add(new CentredSphere(place, sphere.Mask, place.Radius + CarvingReach.BeyondRadiusMm(grid, place, cut)));
-                }
-            }
-            return effective.ToArray();
-        }
-
-        static double BrickRadiusMm(CentredGrid grid)
-        {
-            const double Half = (BrickGrid.BrickSize - 1) * 0.5;
-            double longest = 0;
-            for (int corner = 0; corner < 4; corner++)
-            {
-                double si = (corner & 1) == 0 ? Half : -Half, sj = (corner & 2) == 0 ? Half : -Half;
-                double x = grid[0, 0] * si + grid[0, 1] * sj + grid[0, 2] * Half;
-                double y = grid[1, 0] * si + grid[1, 1] * sj + grid[1, 2] * Half;
-                double z = grid[2, 0] * si + grid[2, 1] * sj + grid[2, 2] * Half;
-                longest = Math.Max(longest, Math.Sqrt(x * x + y * y + z * z));
-            }
-            return longest;
-        }
     }
 }

@@ -59,6 +59,7 @@ namespace AnatomyCarve.Formats
         static SegmentedVolume Prepared(SegmentedVolume volume)
         {
             _ = volume.AutomaticTransferFunction;
+            _ = volume.Blocks;
             return volume;
         }
 

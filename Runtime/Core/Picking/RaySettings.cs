@@ -5,6 +5,11 @@ namespace AnatomyCarve.Picking
     /// <summary>How a ray is marched and when something on it counts as visible: the same numbers for picture, pointer and reports.</summary>
     public sealed class RaySettings
     {
+        /// <summary>
+        /// Parts into which a step is cut where the first visible point is looked for: the depth of an edge is then found to a hundredth of a step.
+        /// </summary>
+        public const int PartsOfStep = 4;
+
         double stepReference = 0.5;
         double firstVisibleAlpha = 0.5;
         double opaqueAlpha = 1 - 1 / 255.0;

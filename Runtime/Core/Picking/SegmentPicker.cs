@@ -7,8 +7,8 @@ namespace AnatomyCarve.Picking
     /// <summary>
     /// The walk of one ray to the first visible segment, in double precision: the CPU twin of <c>Raymarch.hlsl</c>, on the same samples. The part of the
     /// ray inside the volume's box is cut into steps from where the ray enters (the last step ends where it leaves); each is sampled in its
-    /// middle, and a sample of opacity a per reference length adds 1 - (1 - a)^length. Where accumulated alpha reaches the threshold is solved in
-    /// closed form within the step. Bricks in which nothing is visible are skipped; that changes no result.
+    /// middle, and a sample of opacity a per reference length adds 1 - (1 - a)^length. Where accumulated alpha reaches the threshold is looked
+    /// for in parts of that step and of the one before. Bricks in which nothing is visible are skipped; that changes no result.
     /// </summary>
     public static class SegmentPicker
     {
@@ -48,6 +48,8 @@ namespace AnatomyCarve.Picking
             double stepMm = settings.StepReference * field.Volume.Geometry.ReferenceLengthMm;
             double steps = Math.Min((far - near) / stepMm, MaxSteps);
             double alpha = 0;
+            double beforeLast = 0; // alpha before the last step but one
+            double lastSeen = -2;
             double n = 0;
             while (n < steps && alpha < settings.OpaqueAlpha)
             {
@@ -62,22 +64,46 @@ namespace AnatomyCarve.Picking
                 double opacity = field.SampleAntiAliased(index.X, index.Y, index.Z);
                 if (opacity > 0)
                 {
-                    double lengths = (end - n) * settings.StepReference;
-                    double logPassing = lengths * Math.Log(1 - opacity);
                     double before = alpha;
-                    double passing = opacity < 1 ? Math.Exp(logPassing) : 0; // matter of opacity 1 stops all light, however short the step
-                    alpha = before + (1 - before) * (1 - passing);
+                    if (lastSeen != n - 1)
+                        beforeLast = before; // the step before was empty
+                    alpha = before + (1 - before) * (1 - Math.Exp(LogPassing(opacity, (end - n) * settings.StepReference)));
                     if (alpha >= settings.FirstVisibleAlpha)
                     {
-                        double part = opacity < 1 ? Math.Log((1 - settings.FirstVisibleAlpha) / (1 - before)) / logPassing : 0;
-                        double distance = near + (n + Math.Max(0, Math.Min(1, part)) * (end - n)) * stepMm;
-                        return HitAt(field, ray, path, distance, index);
+                        double position = FirstVisiblePosition(field, path, settings, near, stepMm, Math.Max(n - 1, 0), end, beforeLast);
+                        return HitAt(field, ray, path, near + position * stepMm, index);
                     }
+                    beforeLast = before;
+                    lastSeen = n;
                 }
                 n++;
             }
             return SegmentHit.None;
         }
+
+        /// <summary>
+        /// Where alpha, accumulated from position begin on (in steps) where it is alpha, reaches the threshold; end if it does not before. As in the kernel, a
+        /// step is cut into <see cref="RaySettings.PartsOfStep"/> parts, and the place within its part solved in closed form.
+        /// </summary>
+        static double FirstVisiblePosition(
+            CarvedField field, in IndexRay path, RaySettings settings, double near, double stepMm, double begin, double end, double alpha)
+        {
+            double wanted = Math.Log((1 - settings.FirstVisibleAlpha) / (1 - alpha)); // the log of the light that is to pass
+            double passing = 0;
+            for (double from = begin; from < end; from += 1.0 / RaySettings.PartsOfStep)
+            {
+                double to = Math.Min(from + 1.0 / RaySettings.PartsOfStep, end);
+                VectorMm index = path.At(near + 0.5 * (from + to) * stepMm);
+                double here = LogPassing(field.SampleAntiAliased(index.X, index.Y, index.Z), (to - from) * settings.StepReference);
+                if (passing + here <= wanted)
+                    return from + Math.Max(0, Math.Min(1, (wanted - passing) / here)) * (to - from);
+                passing += here;
+            }
+            return end;
+        }
+
+        /// <summary>The log of the light that passes some reference lengths of matter. Matter of opacity 1 stops all, however short they are.</summary>
+        static double LogPassing(double opacity, double lengths) => opacity < 1 ? lengths * Math.Log(1 - opacity) : double.NegativeInfinity;
 
         static SegmentHit HitAt(CarvedField field, RayMm ray, in IndexRay path, double distance, VectorMm sample)
         {

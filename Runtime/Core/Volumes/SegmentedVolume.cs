@@ -12,6 +12,7 @@ namespace AnatomyCarve.Volumes
 
         readonly Lazy<OpacityTransferFunction> automatic;
         readonly Lazy<IntensityHistogram> histogram;
+        readonly Lazy<BlockContents> blocks;
 
         /// <summary>Puts intensities and labels together.</summary>
         /// <param name="intensity">The scan.</param>
@@ -28,6 +29,7 @@ namespace AnatomyCarve.Volumes
             Warnings = (warnings ?? intensity.Warnings.Concat(labels.Warnings)).ToArray();
             automatic = new Lazy<OpacityTransferFunction>(() => OpacityTransferFunction.Automatic(intensity));
             histogram = new Lazy<IntensityHistogram>(() => IntensityHistogram.Of(intensity));
+            blocks = new Lazy<BlockContents>(() => BlockContents.Of(intensity, labels));
         }
 
         /// <summary>The same, with what was computed from the intensities before.</summary>
@@ -65,6 +67,12 @@ namespace AnatomyCarve.Volumes
         /// whichever thread that is.
         /// </summary>
         public IntensityHistogram Histogram => histogram.Value;
+
+        /// <summary>
+        /// Which segments lie in which blocks of 8 x 8 x 8 voxels. Computed once, when it is first asked for, on whichever thread that is; a loader asks for it
+        /// before it publishes a volume.
+        /// </summary>
+        public BlockContents Blocks => blocks.Value;
 
         /// <summary>A scan without a segmentation: every voxel has label 0.</summary>
         /// <param name="intensity">The scan.</param>

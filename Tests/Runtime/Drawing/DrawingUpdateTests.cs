@@ -20,7 +20,7 @@ namespace AnatomyCarve.Tests.Drawing
             yield return null;
             yield return null;
             int dispatches = renderer.Statistics.VolumeDispatches;
-            Assert.That(dispatches, Is.EqualTo(3), "each kernel once, for both cameras");
+            Assert.That(dispatches, Is.EqualTo(7), "ClearBricks, three stages and three of the skip structure, each once, for both cameras");
             for (int frame = 0; frame < 3; frame++)
                 yield return null;
             Assert.That(renderer.Statistics.VolumeDispatches, Is.EqualTo(dispatches));

@@ -42,6 +42,7 @@ namespace AnatomyCarve.Tests.Kernels
             Check(KernelRig.SobelNormals(), grid, random, 0, "_NormalsOut", GraphicsFormat.R8G8_UNorm, 2, rig =>
             {
                 rig.Set(grid);
+                rig.SetUncarved(grid);
                 rig.SetVolume("_OpacityAA", GraphicsFormat.R8_UNorm, grid, codes);
             }, rig => rig.SetVolume("_OpacityAA", GraphicsFormat.R8_UNorm, grid, new byte[grid.VoxelCount]));
         }

@@ -16,7 +16,9 @@ namespace AnatomyCarve.Tests.Kernels
     {
         readonly ComputeShader shader;
         readonly int kernel;
+        readonly string name;
         readonly string[] keywords;
+        int spheres;
         readonly List<UnityEngine.Object> objects = new List<UnityEngine.Object>();
         readonly Dictionary<string, GraphicsBuffer> buffers = new Dictionary<string, GraphicsBuffer>();
 
@@ -24,6 +26,7 @@ namespace AnatomyCarve.Tests.Kernels
         {
             Assert.That(shader == null, Is.False, "the compute shader is missing");
             this.shader = shader;
+            this.name = name;
             this.keywords = keywords;
             kernel = shader.FindKernel(name);
         }
@@ -41,8 +44,20 @@ namespace AnatomyCarve.Tests.Kernels
 
         public void Set(string name, Vector4 value) => shader.SetVector(name, value);
 
-        public void SetCounts(int spheres, int wordsPerMask, int segments, bool smoothCut) =>
+        public void SetCounts(int spheres, int wordsPerMask, int segments, bool smoothCut)
+        {
+            this.spheres = spheres;
             shader.SetVector("_CarveCounts", new Vector4(spheres, wordsPerMask, segments, smoothCut ? 1 : 0));
+        }
+
+        /// <summary>What SobelNormals reads where nothing is carved: one segment, no sphere.</summary>
+        public void SetUncarved(KernelGrid grid)
+        {
+            SetCounts(0, 1, 1, false);
+            SetVolume("_Labels", GraphicsFormat.R8_UInt, grid, new byte[grid.VoxelCount]);
+            SetRows("_Spheres", new Vector4[2], 32);
+            SetRows("_MaskWords", new uint[1]);
+        }
 
         public void SetPictureSize(int width, int height, bool sceneDepth) => shader.SetInts("_PictureSize", width, height, sceneDepth ? 1 : 0, 0);
 
@@ -64,6 +79,16 @@ namespace AnatomyCarve.Tests.Kernels
             var texture = new Texture3D(grid.SizeI, grid.SizeJ, grid.SizeK, format, TextureCreationFlags.None) { name = name };
             Keep(texture, filter);
             texture.SetPixelData(voxels, 0);
+            texture.Apply(false, false);
+            shader.SetTexture(kernel, name, texture);
+        }
+
+        /// <summary>A 3D texture of 32-bit whole numbers, of any size.</summary>
+        public void SetTexels(string name, int width, int height, int depth, uint[] texels)
+        {
+            var texture = new Texture3D(width, height, depth, GraphicsFormat.R32_UInt, TextureCreationFlags.None) { name = name };
+            Keep(texture, FilterMode.Point);
+            texture.SetPixelData(texels, 0);
             texture.Apply(false, false);
             shader.SetTexture(kernel, name, texture);
         }
@@ -110,10 +135,12 @@ namespace AnatomyCarve.Tests.Kernels
             shader.SetTexture(kernel, name, texture);
         }
 
-        public void SetRows<T>(string name, T[] rows)
+        public void SetRows<T>(string name, T[] rows, int stride = 0)
             where T : struct
         {
-            var buffer = new GraphicsBuffer(GraphicsBuffer.Target.Structured, rows.Length, Marshal.SizeOf<T>()) { name = name };
+            int size = Marshal.SizeOf<T>();
+            stride = stride > 0 ? stride : size;
+            var buffer = new GraphicsBuffer(GraphicsBuffer.Target.Structured, rows.Length * size / stride, stride) { name = name };
             if (buffers.TryGetValue(name, out GraphicsBuffer former))
                 former.Dispose();
             buffers[name] = buffer;
@@ -146,6 +173,10 @@ namespace AnatomyCarve.Tests.Kernels
             groupsPerRow = groupsPerRow > 0 ? groupsPerRow : bricks.Length;
             SetBrickCounts(grid, bricks.Length, groupsPerRow);
             SetRows("_Bricks", bricks);
+            if (name == "AntiAlias")
+                SetRows("_BrickMatter", new Vector2[grid.AllBricks().Length]);
+            if (name == "ClipVoxels" || name == "SobelNormals")
+                SetSpheresOfBricks(bricks.Length);
             Dispatch(groupsPerRow, (bricks.Length + groupsPerRow - 1) / groupsPerRow);
         }
 
@@ -174,7 +205,7 @@ namespace AnatomyCarve.Tests.Kernels
 
         public uint[] ReadRows(string name)
         {
-            var rows = new uint[buffers[name].count];
+            var rows = new uint[buffers[name].count * buffers[name].stride / sizeof(uint)];
             buffers[name].GetData(rows);
             return rows;
         }
@@ -198,6 +229,19 @@ namespace AnatomyCarve.Tests.Kernels
             Assert.That(target.Create(), Is.True, name + " cannot be created");
             shader.SetTexture(kernel, name, target);
             return target;
+        }
+
+        /// <summary>Every brick is tested against every sphere.</summary>
+        void SetSpheresOfBricks(int bricks)
+        {
+            var ranges = new uint[2 * bricks];
+            for (int b = 0; b < bricks; b++)
+                ranges[2 * b + 1] = (uint)spheres;
+            var slots = new uint[Math.Max(1, spheres)];
+            for (uint s = 0; s < slots.Length; s++)
+                slots[s] = s;
+            SetRows("_BrickSpheres", ranges, 2 * sizeof(uint));
+            SetRows("_SphereSlots", slots);
         }
 
         void Keep(Texture texture, FilterMode filter)

@@ -68,6 +68,7 @@ namespace AnatomyCarve.Tests.Kernels
                 using (KernelRig rig = KernelRig.SobelNormals(portable))
                 {
                     rig.Set(grid);
+                    rig.SetUncarved(grid);
                     SetOpacities(rig, "_OpacityAA", grid, codes, portable);
                     RenderTexture target = portable ? rig.PackedTarget("_NormalsOut", grid, 2) : rig.VolumeTarget("_NormalsOut", GraphicsFormat.R8G8_UNorm, grid);
                     rig.DispatchBricks(grid);

@@ -1,3 +1,4 @@
+using System.Linq;
 using UnityEngine;
 using UnityEngine.Experimental.Rendering;
 
@@ -22,7 +23,7 @@ namespace AnatomyCarve.Tests.Kernels
                 int groupsX = (scene.Width + 7) / 8, groupsY = (scene.Height + 7) / 8;
                 scene.Bind(rig, opacityFormat);
                 if (countSamples)
-                    rig.SetRows("_SampleCounts", new uint[groupsX * groupsY]);
+                    rig.SetRows("_SampleCounts", new uint[2 * groupsX * groupsY]);
                 RenderTexture colors = rig.PictureTarget("_ColorOut", GraphicsFormat.R32G32B32A32_SFloat, scene.Width, scene.Height);
                 RenderTexture depths = rig.PictureTarget("_DepthOut", GraphicsFormat.R32_SFloat, scene.Width, scene.Height);
                 RenderTexture segments = rig.PictureTarget("_SegmentOut", GraphicsFormat.R32_UInt, scene.Width, scene.Height);
@@ -32,7 +33,7 @@ namespace AnatomyCarve.Tests.Kernels
                     Colors = KernelRig.Read<Vector4>(colors),
                     DepthsMm = KernelRig.Read<float>(depths),
                     Segments = KernelRig.Read<uint>(segments),
-                    SampleCounts = countSamples ? rig.ReadRows("_SampleCounts") : null,
+                    SampleCounts = countSamples ? rig.ReadRows("_SampleCounts").Where((_, n) => n % 2 == 0).ToArray() : null,
                 };
             }
         }

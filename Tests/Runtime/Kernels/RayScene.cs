@@ -1,4 +1,5 @@
 using System;
+using AnatomyCarve.Picking;
 using UnityEngine;
 using UnityEngine.Experimental.Rendering;
 
@@ -151,6 +152,8 @@ namespace AnatomyCarve.Tests.Kernels
             rig.Set("_RayDirectionDy", Row(DirectionDy));
             rig.Set("_RayRange", new Vector4((float)NearT, (float)FarT, 0, 0));
             rig.Set("_March", new Vector4((float)Step, (float)OpaqueAlpha, (float)VisibleAlpha, Filter == OpacityFilter.Exact ? 1 : 0));
+            rig.Set("_Skip", new Vector4(0, RaySettings.PartsOfStep, 0, 0));
+            rig.SetTexels("_SkipMap", 1, 1, 1, new uint[1]);
             rig.Set("_LightDirection", Row(Light));
             rig.Set("_LightColor", Row(LightColor));
             rig.Set("_Shading", new Vector4((float)Ambient, (float)Diffuse, (float)Specular, (float)Shininess));

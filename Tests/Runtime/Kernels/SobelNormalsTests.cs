@@ -12,6 +12,9 @@ namespace AnatomyCarve.Tests.Kernels
         /// <summary>The largest error of an octahedral direction in two bytes, degrees (Cigolle et al. 2014, table 2: 0.94).</summary>
         const double StorageDegrees = 0.95;
 
+        /// <summary>Smaller gradients have no direction.</summary>
+        const double NoGradient = 0.5 / (255 * 32);
+
         [Test]
         public void SobelNormals_RandomVolumes_MatchTheTwinToOneDegree([Range(1, 4)] int seed)
         {
@@ -28,9 +31,9 @@ namespace AnatomyCarve.Tests.Kernels
                     double[] gradient = SobelNormalsTwin.Gradient(grid, v => codes[v] / 255.0, i, j, k);
                     double[] normal = NormalAt(normals, grid.Index(i, j, k));
                     double size = SobelNormalsTwin.Length(gradient);
-                    if (size < 1e-9 && normal != null)
+                    if (size < 0.99 * NoGradient && normal != null)
                         invented++;
-                    if (size > 1e-9 && normal == null)
+                    if (size > 1.01 * NoGradient && normal == null)
                         missing++;
                     if (size > 4 / 255.0 && normal != null)
                     {
@@ -67,21 +70,21 @@ namespace AnatomyCarve.Tests.Kernels
         {
             var random = new Random(29);
             for (int trial = 0; trial < 20; trial++)
-                AssertLinearField(KernelGrid.Random(random, 5, 12), RayScene.RandomDirection(random));
+                AssertLinearField(KernelGrid.Random(random, 7, 14), RayScene.RandomDirection(random));
         }
 
         [Test]
         public void SobelNormals_AxisFaces_AreExact()
         {
-            KernelGrid grid = KernelGrid.Aligned(12, 12, 12, 1, 2, 3);
-            byte[] codes = OpacityFields.Fill(grid, (i, j, k) => i >= 3 && i < 9 && j >= 3 && j < 9 && k >= 3 && k < 9 ? 255 : 0);
+            KernelGrid grid = KernelGrid.Aligned(17, 17, 17, 1, 2, 3);
+            byte[] codes = OpacityFields.Fill(grid, (i, j, k) => i >= 4 && i < 13 && j >= 4 && j < 13 && k >= 4 && k < 13 ? 255 : 0);
             byte[] normals = Run(grid, GraphicsFormat.R8_UNorm, codes);
-            Assert.That(NormalAt(normals, grid.Index(3, 6, 6)), Is.EqualTo(new double[] { -1, 0, 0 }));
-            Assert.That(NormalAt(normals, grid.Index(8, 6, 6)), Is.EqualTo(new double[] { 1, 0, 0 }));
-            Assert.That(NormalAt(normals, grid.Index(6, 3, 6)), Is.EqualTo(new double[] { 0, -1, 0 }));
-            Assert.That(NormalAt(normals, grid.Index(6, 8, 6)), Is.EqualTo(new double[] { 0, 1, 0 }));
-            Assert.That(NormalAt(normals, grid.Index(6, 6, 8)), Is.EqualTo(new double[] { 0, 0, 1 }));
-            Assert.That(NormalAt(normals, grid.Index(6, 6, 3)), Is.EqualTo(new double[] { 0, 0, -1 }), "the direction whose code means none");
+            Assert.That(NormalAt(normals, grid.Index(4, 8, 8)), Is.EqualTo(new double[] { -1, 0, 0 }));
+            Assert.That(NormalAt(normals, grid.Index(12, 8, 8)), Is.EqualTo(new double[] { 1, 0, 0 }));
+            Assert.That(NormalAt(normals, grid.Index(8, 4, 8)), Is.EqualTo(new double[] { 0, -1, 0 }));
+            Assert.That(NormalAt(normals, grid.Index(8, 12, 8)), Is.EqualTo(new double[] { 0, 1, 0 }));
+            Assert.That(NormalAt(normals, grid.Index(8, 8, 12)), Is.EqualTo(new double[] { 0, 0, 1 }));
+            Assert.That(NormalAt(normals, grid.Index(8, 8, 4)), Is.EqualTo(new double[] { 0, 0, -1 }), "the direction whose code means none");
         }
 
         [TestCase(-1, -1)]
@@ -91,7 +94,7 @@ namespace AnatomyCarve.Tests.Kernels
         public void SobelNormals_DirectionsAroundMinusZ_AreNotTakenForNone(int signX, int signY)
         {
             foreach (double tilt in new[] { 1e-5, 1e-3, 3e-3, 1e-2 })
-                AssertLinearField(KernelGrid.Aligned(5, 5, 5), new[] { signX * tilt, signY * tilt, -1 });
+                AssertLinearField(KernelGrid.Aligned(9, 9, 9), new[] { signX * tilt, signY * tilt, -1 });
         }
 
         [Test]
@@ -102,7 +105,7 @@ namespace AnatomyCarve.Tests.Kernels
             int wrong = 0;
             grid.ForEach((i, j, k) =>
             {
-                bool atBorder = i == 0 || j == 0 || k == 0 || i == grid.SizeI - 1 || j == grid.SizeJ - 1 || k == grid.SizeK - 1;
+                bool atBorder = i < 3 || j < 3 || k < 3 || i >= grid.SizeI - 3 || j >= grid.SizeJ - 3 || k >= grid.SizeK - 3;
                 if (atBorder != (NormalAt(normals, grid.Index(i, j, k)) != null))
                     wrong++;
             });
@@ -136,9 +139,9 @@ namespace AnatomyCarve.Tests.Kernels
             float[] opacities = Array.ConvertAll(field, value => (float)((value - low) / (high - low)));
             byte[] normals = Run(grid, GraphicsFormat.R32_SFloat, opacities);
             double worst = 0;
-            for (int k = 1; k < grid.SizeK - 1; k++)
-                for (int j = 1; j < grid.SizeJ - 1; j++)
-                    for (int i = 1; i < grid.SizeI - 1; i++)
+            for (int k = 3; k < grid.SizeK - 3; k++)
+                for (int j = 3; j < grid.SizeJ - 3; j++)
+                    for (int i = 3; i < grid.SizeI - 3; i++)
                     {
                         double[] normal = NormalAt(normals, grid.Index(i, j, k));
                         worst = Math.Max(worst, normal == null ? 180 : OctahedralTwin.DegreesBetween(normal, down));
@@ -154,6 +157,7 @@ namespace AnatomyCarve.Tests.Kernels
             using (KernelRig rig = KernelRig.SobelNormals())
             {
                 rig.Set(grid);
+                rig.SetUncarved(grid);
                 rig.SetVolume("_OpacityAA", format, grid, opacities);
                 RenderTexture target = rig.VolumeTarget("_NormalsOut", GraphicsFormat.R8G8_UNorm, grid);
                 rig.DispatchBricks(grid);

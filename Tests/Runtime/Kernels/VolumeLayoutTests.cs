@@ -41,6 +41,7 @@ namespace AnatomyCarve.Tests.Kernels
         [TestCase("VolumeLayout.hlsl", "CarvedVolume")]
         [TestCase("VolumeLayout.hlsl", "RaymarchSettings")]
         [TestCase("Raymarch.compute", "RaymarchView")]
+        [TestCase("SkipRegion.hlsl", "SkipRegion")]
         public void ConstantBuffer_IsMadeOfRowsThatCSharpKnows(string file, string name)
         {
             List<string[]> members = Members(Read(file), "cbuffer", name);

@@ -25,18 +25,19 @@ namespace AnatomyCarve.Tests.Kernels
         /// <summary>Opacity of a voxel, 0..1, before it is stored.</summary>
         public double Opacity(int i, int j, int k)
         {
-            double centre = At(i, j, k), low = 1, high = 0, gx = 0, gy = 0, gz = 0;
+            double centre = At(i, j, k), low = 1, high = 0, mean = 0, gx = 0, gy = 0, gz = 0;
             ForNeighbours((di, dj, dk) =>
             {
                 double o = At(i + di, j + dj, k + dk);
                 low = Math.Min(low, o);
                 high = Math.Max(high, o);
+                mean += o / 27;
                 gx += di * (2 - Math.Abs(dj)) * (2 - Math.Abs(dk)) * o;
                 gy += dj * (2 - Math.Abs(di)) * (2 - Math.Abs(dk)) * o;
                 gz += dk * (2 - Math.Abs(di)) * (2 - Math.Abs(dj)) * o;
             });
             double size = Math.Sqrt(gx * gx + gy * gy + gz * gz) / 32;
-            bool isFlat = high - low < Math.Max(ThresholdAbsolute, ThresholdRelative * high) * 0.99999;
+            bool isFlat = high == low || high - low < Math.Max(ThresholdAbsolute, ThresholdRelative * high) * 0.99999;
             if (isFlat || Strength == 0 || size < Math.Max(GradientMinimum, 0.5 / (255 * 32)))
                 return centre;
             double sum = centre, weights = 1;
@@ -51,7 +52,9 @@ namespace AnatomyCarve.Tests.Kernels
                 sum += weight * At(i + di, j + dj, k + dk);
                 weights += weight;
             });
-            return centre + Strength * (sum / weights - centre);
+            double change = sum / weights - centre, filled = (mean - low) / (high - low);
+            double kept = Math.Min(1, Math.Max(0, ((change < 0 ? filled : 1 - filled) - 0.42) / 0.13));
+            return centre + Strength * kept * change;
         }
 
         double At(int i, int j, int k) => codes[grid.Index(Clamp(i, grid.SizeI), Clamp(j, grid.SizeJ), Clamp(k, grid.SizeK))] / 255.0;

@@ -52,15 +52,18 @@ namespace AnatomyCarve.Tests.Kernels
             double[] toViewer = RayScene.Scale(direction, -1 / mmPerT);
             double stepT = scene.Step * grid.ReferenceMm / mmPerT;
             double steps = (far - near) / stepT;
+            double beforeLast = 0;
             for (int n = 0; n < steps && ray.Color[3] < scene.OpaqueAlpha; n++)
             {
                 ray.Samples++;
-                Step(ray, start, velocity, near, stepT, mmPerT, n, Math.Min(n + 1, steps), toViewer);
+                double before = ray.Color[3];
+                Step(ray, start, velocity, near, stepT, mmPerT, n, Math.Min(n + 1, steps), toViewer, beforeLast);
+                beforeLast = before;
             }
             return ray;
         }
 
-        void Step(Ray ray, double[] start, double[] velocity, double near, double stepT, double mmPerT, double begin, double end, double[] toViewer)
+        void Step(Ray ray, double[] start, double[] velocity, double near, double stepT, double mmPerT, double begin, double end, double[] toViewer, double beforeLast)
         {
             double[] p = At(start, velocity, near + 0.5 * (begin + end) * stepT);
             double opacity = Trilinear(p);
@@ -79,8 +82,7 @@ namespace AnatomyCarve.Tests.Kernels
             ray.VisibilityUndecided |= Math.Abs(after - scene.VisibleAlpha) < HairAlpha;
             if (before >= scene.VisibleAlpha || after < scene.VisibleAlpha)
                 return;
-            double part = opacity < 1 ? Math.Log((1 - scene.VisibleAlpha) / (1 - before)) / (lengths * Math.Log(1 - opacity)) : 0;
-            double t = near + (begin + Math.Min(1, Math.Max(0, part)) * (end - begin)) * stepT;
+            double t = near + stepT * VisiblePosition(ray, start, velocity, near, stepT, Math.Max(begin - 1, 0), end, beforeLast);
             ray.DepthMm = t * mmPerT;
             ray.Segment = SegmentAround(At(start, velocity, t), out ray.SegmentUndecided);
             if (ray.Segment == RayScene.NoSegment)
@@ -88,6 +90,25 @@ namespace AnatomyCarve.Tests.Kernels
                 ray.Segment = segment;
                 ray.SegmentUndecided |= undecided;
             }
+        }
+
+        /// <summary>In the step where alpha reaches the threshold, and in the one before, alpha is accumulated anew in quarters of a step.</summary>
+        double VisiblePosition(Ray ray, double[] start, double[] velocity, double near, double stepT, double begin, double end, double alpha)
+        {
+            for (double from = begin; from < end; from += 0.25)
+            {
+                double to = Math.Min(from + 0.25, end);
+                double opacity = Trilinear(At(start, velocity, near + 0.5 * (from + to) * stepT));
+                ray.Samples++;
+                double lengths = (to - from) * scene.Step, after = 1 - (1 - alpha) * Math.Pow(1 - opacity, lengths);
+                if (after >= scene.VisibleAlpha)
+                {
+                    double share = opacity < 1 ? Math.Log((1 - scene.VisibleAlpha) / (1 - alpha)) / (lengths * Math.Log(1 - opacity)) : 0;
+                    return from + Math.Min(1, Math.Max(0, share)) * (to - from);
+                }
+                alpha = after;
+            }
+            return end;
         }
 
         static void Clip(double start, double velocity, double half, ref double near, ref double far, double middle)

@@ -2,24 +2,35 @@ using System;
 
 namespace AnatomyCarve.Tests.Kernels
 {
-    /// <summary>What SobelNormals is held to, in double precision.</summary>
+    /// <summary>What SobelNormals makes of opacities, in double precision and without passes.</summary>
     static class SobelNormalsTwin
     {
-        /// <summary>The 3x3x3 Sobel gradient in opacity per voxel; opacity outside the volume is 0.</summary>
+        const int Reach = 3;
+
+        /// <summary>The taps as the kernel's header gives them: x * exp(-x^2 / (2 * 1.8^2)) and exp(-x^2 / (2 * 1.6^2)), to four digits.</summary>
+        static readonly double[] Derivative = { 0, 0.8570, 1.0788, 0.7481 }, Smoothing = { 1, 0.8226, 0.4578, 0.1724 };
+
+        /// <summary>The 7x7x7 Sobel gradient in opacity per voxel; opacity outside the volume is 0.</summary>
         public static double[] Gradient(KernelGrid grid, Func<int, double> opacity, int i, int j, int k)
         {
             var gradient = new double[3];
-            for (int dk = -1; dk <= 1; dk++)
-                for (int dj = -1; dj <= 1; dj++)
-                    for (int di = -1; di <= 1; di++)
+            double slope = 0, sum = 0;
+            for (int x = -Reach; x <= Reach; x++)
+            {
+                slope += x * D(x);
+                sum += S(x);
+            }
+            for (int dk = -Reach; dk <= Reach; dk++)
+                for (int dj = -Reach; dj <= Reach; dj++)
+                    for (int di = -Reach; di <= Reach; di++)
                     {
                         int x = i + di, y = j + dj, z = k + dk;
-                        bool inside = x >= 0 && y >= 0 && z >= 0 && x < grid.SizeI && y < grid.SizeJ && z < grid.SizeK;
-                        double o = inside ? opacity(grid.Index(x, y, z)) : 0;
-                        int wi = 2 - Math.Abs(di), wj = 2 - Math.Abs(dj), wk = 2 - Math.Abs(dk);
-                        gradient[0] += di * wj * wk * o / 32;
-                        gradient[1] += dj * wi * wk * o / 32;
-                        gradient[2] += dk * wi * wj * o / 32;
+                        if (x < 0 || y < 0 || z < 0 || x >= grid.SizeI || y >= grid.SizeJ || z >= grid.SizeK)
+                            continue;
+                        double o = opacity(grid.Index(x, y, z)) / (slope * sum * sum);
+                        gradient[0] += D(di) * S(dj) * S(dk) * o;
+                        gradient[1] += D(dj) * S(di) * S(dk) * o;
+                        gradient[2] += D(dk) * S(di) * S(dj) * o;
                     }
             return gradient;
         }
@@ -35,5 +46,9 @@ namespace AnatomyCarve.Tests.Kernels
         }
 
         public static double Length(double[] v) => Math.Sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+
+        static double D(int x) => Math.Sign(x) * Derivative[Math.Abs(x)];
+
+        static double S(int x) => Smoothing[Math.Abs(x)];
     }
 }
