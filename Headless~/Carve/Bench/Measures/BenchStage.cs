@@ -1,6 +1,11 @@
 using System;
+using System.Linq;
+using AnatomyCarve.Carving;
+using AnatomyCarve.Headless.Cli.Bench.Scenes;
 using AnatomyCarve.Headless.Cli.Commands;
+using AnatomyCarve.Picking;
 using AnatomyCarve.Volumes;
+using UnityEngine;
 
 namespace AnatomyCarve.Headless.Cli.Bench.Measures
 {
@@ -17,17 +22,44 @@ namespace AnatomyCarve.Headless.Cli.Bench.Measures
 
         public ClipSphereStack Stack => scene.Stack;
 
+        public CarvingStack Carving => scene.Stack.Carving;
+
         /// <summary>Shows a volume, uncarved, as a new renderer does.</summary>
         public void Show(SegmentedVolume volume)
         {
-            scene.Loader.SetVolume(volume);
+            if (scene.Loader.Volume != volume) scene.Loader.SetVolume(volume);
             scene.Host.Step();
             scene.Stack.Clear();
+            Carving.HistoryLimit = 0;
             Renderer.Quality = RenderQuality.Balanced();
             Renderer.TransferFunction = null;
             Renderer.Segments = null;
             Renderer.CountSamples = false;
         }
+
+        /// <summary>Shows a scene, with its spheres before they move.</summary>
+        public void Show(BenchScene bench)
+        {
+            Show(bench.Volume);
+            Renderer.TransferFunction = bench.TransferFunction;
+            if (bench.Segments != null) Renderer.Segments = bench.Segments;
+            if (bench.Spheres.Count > 0) Carving.Replace(bench.Spheres.Take(bench.Spheres.Count - 1), bench.Spheres[^1]);
+        }
+
+        /// <summary>Brings the volume's textures up to date: a picture of one pixel.</summary>
+        public void Update() => Render(new OrbitCamera(0, 0).RaysAround(Renderer.Volume.Geometry, 1, 1));
+
+        /// <summary>Makes a picture; it is the stage's own and used again.</summary>
+        public CarvedPicture Render(PictureRays rays)
+        {
+            var picture = Renderer.Render(rays);
+            scene.ThrowIfFailed();
+            return picture ?? throw new CommandException($"the volume cannot be rendered: {Renderer.Problem}");
+        }
+
+        /// <summary>A texture of the volume, as it is stored.</summary>
+        public byte[] ReadTexture(string part) =>
+            Host.ReadTexture(Resources.FindObjectsOfTypeAll<RenderTexture>().Single(texture => texture.name == "AnatomyCarve " + part));
 
         /// <summary>Fails if anything was logged as an error.</summary>
         public void ThrowIfFailed() => scene.ThrowIfFailed();
