@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using AnatomyCarve.Carving;
 using AnatomyCarve.Headless.Cli.Bench.Scenes;
@@ -6,6 +7,7 @@ using AnatomyCarve.Headless.Cli.Commands;
 using AnatomyCarve.Picking;
 using AnatomyCarve.Volumes;
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace AnatomyCarve.Headless.Cli.Bench.Measures
 {
@@ -57,9 +59,12 @@ namespace AnatomyCarve.Headless.Cli.Bench.Measures
             return picture ?? throw new CommandException($"the volume cannot be rendered: {Renderer.Problem}");
         }
 
-        /// <summary>A texture of the volume, as it is stored.</summary>
-        public byte[] ReadTexture(string part) =>
-            Host.ReadTexture(Resources.FindObjectsOfTypeAll<RenderTexture>().Single(texture => texture.name == "AnatomyCarve " + part));
+        /// <summary>What the kernels wrote: the volume's textures as they are stored, in the order of their names.</summary>
+        public IReadOnlyList<byte[]> ReadTextures() => Resources.FindObjectsOfTypeAll<RenderTexture>()
+            .Where(texture => texture.dimension == TextureDimension.Tex3D && texture.name.StartsWith("AnatomyCarve", StringComparison.Ordinal))
+            .OrderBy(texture => texture.name, StringComparer.Ordinal)
+            .Select(Host.ReadTexture)
+            .ToArray();
 
         /// <summary>Fails if anything was logged as an error.</summary>
         public void ThrowIfFailed() => scene.ThrowIfFailed();
