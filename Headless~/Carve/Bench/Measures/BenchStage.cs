@@ -66,6 +66,13 @@ namespace AnatomyCarve.Headless.Cli.Bench.Measures
             .Select(Host.ReadTexture)
             .ToArray();
 
+        /// <summary>The anti-aliased opacities that rays read, one byte per voxel; of the compact layout.</summary>
+        public byte[] ReadAntiAliased()
+        {
+            if (Renderer.Statistics.Layout != TextureLayout.Compact) throw new CommandException("the device cannot write the compact layout.");
+            return Host.ReadTexture(Resources.FindObjectsOfTypeAll<RenderTexture>().Single(texture => texture.name == "AnatomyCarve anti-aliased opacity"));
+        }
+
         /// <summary>Fails if anything was logged as an error.</summary>
         public void ThrowIfFailed() => scene.ThrowIfFailed();
 
