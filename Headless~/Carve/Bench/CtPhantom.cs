@@ -6,16 +6,31 @@ using System.Linq;
 using System.Runtime.InteropServices;
 using System.Text;
 using System.Threading.Tasks;
+using AnatomyCarve.Volumes;
 
 namespace AnatomyCarve.Headless.Cli.Bench
 {
+    /// <summary>The half axes of a body in the volume's middle, as parts of the volume's sides.</summary>
+    readonly record struct BodyShape(double I, double J, double K)
+    {
+        /// <summary>1 on the skin, less inside. Places are parts of the volume's sides.</summary>
+        public double Distance(double x, double y, double z) => Square((x - 0.5) / I) + Square((y - 0.5) / J) + Square((z - 0.5) / K);
+
+        static double Square(double value) => value * value;
+    }
+
     /// <summary>
-    /// A made-up CT of any size: a body of fat and soft tissue in air, forty organs (some of bone, some of air) as segments, and noise as a reconstruction leaves
-    /// it, correlated in the slice. As gzipped NRRD, in memory. The same size gives the same bytes.
+    /// A made-up CT of any size: a body of fat and soft tissue in air, organs (some of bone, some of air) as segments, forty in files, and noise as a reconstruction leaves
+    /// it, correlated in the slice. As a volume, or as gzipped NRRD in memory. The same size gives the same bytes.
     /// </summary>
     static class CtPhantom
     {
         const int Organs = 40;
+
+        const short LeastHu = -1024, MostHu = 3071;
+
+        /// <summary>A body without ends, which fills 0.6 of the volume.</summary>
+        public static readonly BodyShape Torso = new(0.46, 0.42, double.PositiveInfinity);
 
         /// <summary>Before it is smoothed, HU; about 10 of it are left.</summary>
         const double NoiseHu = 28;
@@ -30,8 +45,34 @@ namespace AnatomyCarve.Headless.Cli.Bench
         /// <summary>Makes both files of a pair.</summary>
         public static (byte[] Scan, byte[] Labels) Make(int sizeI, int sizeJ, int sizeK)
         {
+            var (values, labels) = Voxels(sizeI, sizeJ, sizeK, Organs, Torso);
+            return (Nrrd("int16", sizeI, sizeJ, sizeK, MemoryMarshal.AsBytes(values.AsSpan())), Nrrd("uint8", sizeI, sizeJ, sizeK, labels));
+        }
+
+        /// <summary>The volume itself.</summary>
+        /// <param name="spacingMm">of the voxels along i, j, k; the axes are L, P, S and the volume's centre is the origin</param>
+        /// <param name="organs">0 to 255</param>
+        /// <param name="body">the body's shape</param>
+        public static SegmentedVolume Volume(int sizeI, int sizeJ, int sizeK, VectorMm spacingMm, int organs, BodyShape body)
+        {
+            var (values, labels) = Voxels(sizeI, sizeJ, sizeK, organs, body);
+            var origin = new PointMm(-0.5 * (sizeI - 1) * spacingMm.X, -0.5 * (sizeJ - 1) * spacingMm.Y, -0.5 * (sizeK - 1) * spacingMm.Z);
+            var geometry = new VolumeGeometry(sizeI, sizeJ, sizeK, Affine.FromColumns(
+                new VectorMm(spacingMm.X, 0, 0), new VectorMm(0, spacingMm.Y, 0), new VectorMm(0, 0, spacingMm.Z), origin));
+            var codes = Array.ConvertAll(values, value => (ushort)(value - LeastHu));
+            var segments = Enumerable.Range(0, organs + 1).Select(number => new Segment(
+                number, number, number == 0 ? "body" : string.Create(CultureInfo.InvariantCulture, $"organ {number}"), Color(number)));
+            return new SegmentedVolume(
+                new IntensityVolume(geometry, codes, LeastHu, 1, MostHu), new LabelMap(geometry, Array.ConvertAll(labels, label => (ushort)label), new SegmentTable(segments)));
+        }
+
+        static SegmentColor Color(int number) =>
+            number == 0 ? new SegmentColor(212, 176, 150) : new SegmentColor((byte)(60 + number * 97 % 180), (byte)(60 + number * 61 % 180), (byte)(60 + number * 31 % 180));
+
+        static (short[] Values, byte[] Labels) Voxels(int sizeI, int sizeJ, int sizeK, int organCount, BodyShape body)
+        {
             var random = new Random(5);
-            var organs = Enumerable.Range(0, Organs).Select(number => MakeOrgan(number, random)).ToArray();
+            var organs = Enumerable.Range(0, organCount).Select(number => MakeOrgan(number, random)).ToArray();
             var values = new short[(long)sizeI * sizeJ * sizeK];
             var labels = new byte[values.Length];
             Parallel.For(0, sizeK, k =>
@@ -40,17 +81,20 @@ namespace AnatomyCarve.Headless.Cli.Bench
                 var (x0, y0, z0) = (0.5 / sizeI, 0.5 / sizeJ, (k + 0.5) / sizeK);
                 for (var j = 0; j < sizeJ; j++)
                 {
+                    var y = y0 + (double)j / sizeJ;
+                    var near = Enumerable.Range(0, organs.Length).Where(number => organs[number].Holds(organs[number].X, y, z0)).ToArray();
                     for (var i = 0; i < sizeI; i++)
                     {
-                        var (x, y) = (x0 + (double)i / sizeI, y0 + (double)j / sizeJ);
-                        var label = LabelAt(organs, x, y, z0);
+                        var x = x0 + (double)i / sizeI;
+                        var depth = body.Distance(x, y, z0);
+                        var label = LabelAt(organs, near, depth, x, y, z0);
                         var voxel = i + sizeI * (j + (long)sizeJ * k);
                         labels[voxel] = (byte)label;
-                        values[voxel] = (short)Math.Clamp(Math.Round(Hu(organs, label, x, y) + noise[i + sizeI * j]), -1024, 3071);
+                        values[voxel] = (short)Math.Clamp(Math.Round(Hu(organs, label, depth) + noise[i + sizeI * j]), LeastHu, MostHu);
                     }
                 }
             });
-            return (Nrrd("int16", sizeI, sizeJ, sizeK, MemoryMarshal.AsBytes(values.AsSpan())), Nrrd("uint8", sizeI, sizeJ, sizeK, labels));
+            return (values, labels);
         }
 
         static Organ MakeOrgan(int number, Random random)
@@ -62,21 +106,19 @@ namespace AnatomyCarve.Headless.Cli.Bench
         }
 
         // 0 is not claimed: the body around the organs, and the air around the body.
-        static int LabelAt(Organ[] organs, double x, double y, double z)
+        static int LabelAt(Organ[] organs, int[] near, double depth, double x, double y, double z)
         {
-            if (Body(x, y) >= 1) return 0;
-            for (var number = organs.Length; number > 0; number--)
+            if (depth >= 1) return 0;
+            for (var n = near.Length; n > 0; n--)
             {
-                if (organs[number - 1].Holds(x, y, z)) return number;
+                if (organs[near[n - 1]].Holds(x, y, z)) return near[n - 1] + 1;
             }
 
             return 0;
         }
 
-        static double Hu(Organ[] organs, int label, double x, double y) =>
-            label > 0 ? organs[label - 1].Hu : Body(x, y) < 0.85 ? SoftTissue : Body(x, y) < 1 ? Fat : Air;
-
-        static double Body(double x, double y) => Square((x - 0.5) / 0.46) + Square((y - 0.5) / 0.42);
+        static double Hu(Organ[] organs, int label, double depth) =>
+            label > 0 ? organs[label - 1].Hu : depth < 0.85 ? SoftTissue : depth < 1 ? Fat : Air;
 
         static double Square(double value) => value * value;
 

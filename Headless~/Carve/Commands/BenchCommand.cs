@@ -21,7 +21,10 @@ namespace AnatomyCarve.Headless.Cli.Commands
 
         readonly record struct PhantomSize(int I, int J, int K);
 
-        public static Command Create() => new("bench", "Measures.") { CreateLoad() };
+        public static Command Create() => new("bench", "Measures: work, errors, and time.")
+        {
+            CreateLoad(), BenchAllCommand.Create(),
+        };
 
         static Command CreateLoad()
         {

@@ -42,6 +42,9 @@ namespace UnityEngine.Vulkan
         /// <summary>The last submission that the device has finished.</summary>
         internal ulong Completed { get; private set; }
 
+        /// <summary>How often somebody waited for work that the device had not done.</summary>
+        internal long WaitCount { get; private set; }
+
         /// <summary>The submission that commands recorded now belong to.</summary>
         internal ulong CurrentSerial => m_Open?.Serial ?? m_LastSerial + 1;
 
@@ -178,6 +181,8 @@ namespace UnityEngine.Vulkan
         {
             if (m_Open != null && serial >= m_Open.Serial)
                 Submit();
+            if (Completed < serial && m_Running.Count > 0)
+                WaitCount++;
             while (Completed < serial && m_Running.Count > 0)
                 Retire(m_Running.Dequeue(), wait: true);
         }

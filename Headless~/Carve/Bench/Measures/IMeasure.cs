@@ -1,6 +1,7 @@
 using System;
 using System.Text.Json.Nodes;
 using System.Threading;
+using AnatomyCarve.Headless.Cli.Bench.Scenes;
 
 namespace AnatomyCarve.Headless.Cli.Bench.Measures
 {
@@ -19,18 +20,49 @@ namespace AnatomyCarve.Headless.Cli.Bench.Measures
     /// <param name="Unit">unit of all its values: "%", "voxels", "degrees", "new/old", ...</param>
     /// <param name="Goals">the goal of each value, in the values' order</param>
     /// <param name="AtLeast">whether values are to be the goal at least; otherwise at most</param>
-    sealed record Quantity(string Id, string What, string Unit, double[] Goals, bool AtLeast = false);
+    sealed record Quantity(string Id, string What, string Unit, double[] Goals, bool AtLeast = false)
+    {
+        /// <summary>Whether it is a time, which differs from run to run; otherwise it is a count or an error.</summary>
+        public bool IsTime => Unit == TimeUnit;
+
+        /// <summary>The unit of ratios of times.</summary>
+        public const string TimeUnit = "new/old";
+
+        /// <summary>Whether values reach the goals.</summary>
+        public bool Holds(double[] values)
+        {
+            for (var n = 0; n < Goals.Length; n++)
+            {
+                if (!(AtLeast ? values[n] >= Goals[n] : values[n] <= Goals[n])) return false;
+            }
+
+            return true;
+        }
+    }
 
     /// <summary>What was found.</summary>
     /// <param name="Values">one number per goal; null = it was not measured</param>
-    /// <param name="Scene">the scene's name, with volume, camera, spheres and moves as the scene file has them</param>
+    /// <param name="Scene">the scene's name in the scene file; several are separated by "; "</param>
     /// <param name="Settings">whatever else decides the values</param>
     /// <param name="Reason">why it was not measured; null = it was</param>
     sealed record Outcome(double[] Values, string Scene, JsonObject Settings, string Reason = null)
     {
+        /// <summary>Separates the names of several scenes.</summary>
+        public const string Separator = "; ";
+
         public static Outcome NotMeasured(string reason) => new(null, null, null, reason);
     }
 
     /// <summary>What a measure may use. There is one engine per process; measures run one after another.</summary>
-    sealed record MeasureContext(BenchStage Stage, IProgress<float> Progress, CancellationToken Cancellation);
+    sealed record MeasureContext(BenchStage Stage, IProgress<float> Progress, CancellationToken Cancellation)
+    {
+        /// <summary>The scenes.</summary>
+        public BenchScenes Scenes { get; init; }
+
+        /// <summary>How often each way of a comparison of times is run; medians count.</summary>
+        public int Runs { get; init; } = 5;
+
+        /// <summary>Where a measure may write tables and pictures for the report; null = nowhere.</summary>
+        public string ReportFolder { get; init; }
+    }
 }

@@ -1,0 +1,33 @@
+using System.Reflection;
+
+namespace AnatomyCarve.Headless.Cli.Bench.Work
+{
+    /// <summary>
+    /// What not every state of the package has yet: a switch and counters of the skip structure, counts of sphere tests. Asked for by name, so that the benchmark
+    /// also measures a package without them, and says what it could not measure.
+    /// </summary>
+    static class NewCounters
+    {
+        static readonly PropertyInfo Skip = typeof(RenderQuality).GetProperty("SkipEmptySpace");
+        static readonly PropertyInfo Tests = typeof(RenderStatistics).GetProperty("SphereTests");
+        static readonly PropertyInfo Cells = typeof(RenderStatistics).GetProperty("SkipCells");
+        static readonly MethodInfo Lookups = typeof(CarvedPicture).GetMethod("ReadLookupCount", []);
+
+        public const string NoSkipping = "This state of the package does not skip empty space.";
+        public const string NoSphereTests = "This state of the package does not count sphere tests.";
+
+        public static bool CanSkip => Skip != null;
+
+        /// <summary>Switches skipping; where there is none it is off anyway.</summary>
+        public static void SetSkipping(RenderQuality quality, bool on) => Skip?.SetValue(quality, on);
+
+        /// <summary>Sphere-against-brick tests and sphere entries handed to bricks; null = not counted.</summary>
+        public static long? SphereTests(RenderStatistics statistics) => Tests?.GetValue(statistics) is { } value ? System.Convert.ToInt64(value) : null;
+
+        /// <summary>The work that keeps the skip structure in step; null = there is none.</summary>
+        public static StageStatistics? SkipCells(RenderStatistics statistics) => (StageStatistics?)Cells?.GetValue(statistics);
+
+        /// <summary>Look-ups in the skip structure; null = there is none.</summary>
+        public static long? ReadLookupCount(CarvedPicture picture) => Lookups?.Invoke(picture, null) is { } value ? System.Convert.ToInt64(value) : null;
+    }
+}
