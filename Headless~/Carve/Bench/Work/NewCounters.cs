@@ -9,7 +9,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Work
     static class NewCounters
     {
         static readonly PropertyInfo Skip = typeof(RenderQuality).GetProperty("SkipEmptySpace");
-        static readonly PropertyInfo Tests = typeof(RenderStatistics).GetProperty("SphereTests");
+        static readonly PropertyInfo Tests = typeof(RenderStatistics).GetProperty("SpheresInBricks");
         static readonly PropertyInfo Cells = typeof(RenderStatistics).GetProperty("SkipCells");
         static readonly MethodInfo Lookups = typeof(CarvedPicture).GetMethod("ReadLookupCount", []);
 
