@@ -120,8 +120,12 @@ namespace UnityEngine.Shaders.Direct3D
                 Count = (uint)Int(at + 24),
             };
             resource.IsTypedBuffer = resource.Kind is (DxbcKind.Texture or DxbcKind.RandomWriteTyped) && Int(at + 12) == TypedBufferDimension;
-            // The field counts samples for textures.
-            resource.Stride = resource.Kind is (DxbcKind.ByteAddress or DxbcKind.RandomWriteByteAddress) ? Word : Int(at + 16);
+            resource.Stride = resource.Kind switch
+            {
+                DxbcKind.ByteAddress or DxbcKind.RandomWriteByteAddress => Word,
+                DxbcKind.Structured or >= DxbcKind.RandomWriteStructured => Int(at + 16),
+                _ => 0, // the field counts samples
+            };
             if (resource.Kind == DxbcKind.ConstantBuffer)
                 ReadBlock(resource);
             return resource;

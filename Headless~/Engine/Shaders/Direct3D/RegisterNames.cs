@@ -29,7 +29,8 @@ namespace UnityEngine.Shaders.Direct3D
 
         static void Check(DxbcResource resource)
         {
-            if (resource.Count != 1)
+            // Of an array that is not indexed by a variable, FXC makes resources "name[0]" and so on.
+            if (resource.Count != 1 || resource.Name.Contains('['))
                 throw new NotSupportedException($"'{resource.Name}' is an array of resources, which kernels cannot have here.");
             if (resource.Kind == DxbcKind.TextureBuffer)
                 throw new NotSupportedException($"'{resource.Name}' is a tbuffer; use a cbuffer or a StructuredBuffer.");
