@@ -157,10 +157,19 @@ static int compileWithDxc(int count, char **options)
     return FAILED(status) ? 1 : 0;
 }
 
-int main(int count, char **arguments)
+static int run(int count, char **arguments)
 {
     if (count >= 3 && !strcmp(arguments[1], "fxc")) return compileWithFxc(arguments[2], count - 3, arguments + 3);
     if (count >= 3 && !strcmp(arguments[1], "dxc")) return compileWithDxc(count - 2, arguments + 2);
     fprintf(stderr, "usage: d3dcompile fxc|dxc FILE -E ENTRY -T TARGET [-D NAME=VALUE]...\n");
     return 2;
+}
+
+int main(int count, char **arguments)
+{
+    int code = run(count, arguments);
+    fflush(NULL);
+    // No return: when the compilers are unloaded, a thread now and then faults under Wine, and says so on stderr.
+    TerminateProcess(GetCurrentProcess(), (UINT)code);
+    return code;
 }
