@@ -1,6 +1,6 @@
 // Asks Microsoft's shader compilers whether they take a kernel or a stage. Runs under Wine; check-d3d builds and calls it.
 //
-//   d3dcompile.exe fxc FILE -E ENTRY -T cs_5_0|vs_5_0|ps_5_0 [-D NAME=VALUE]... [-Fc LISTING]
+//   d3dcompile.exe fxc FILE -E ENTRY -T cs_5_0|vs_5_0|ps_5_0 [-D NAME=VALUE]... [-Fo BYTECODE] [-Fc LISTING]
 //   d3dcompile.exe dxc FILE -E ENTRY -T cs_6_0|vs_6_0|ps_6_0 [-D NAME=VALUE]...
 //
 // fxc: D3DCompile of d3dcompiler_47.dll, which Unity uses for Direct3D 11 and as the first step towards Vulkan and Metal.
@@ -64,13 +64,14 @@ static HRESULT WINAPI closeInclude(ID3DInclude *self, const void *text) { return
 
 static int compileWithFxc(const char *path, int count, char **options)
 {
-    const char *entry = NULL, *target = NULL, *listing = NULL;
+    const char *entry = NULL, *target = NULL, *bytecode = NULL, *listing = NULL;
     D3D_SHADER_MACRO macros[MAX_MACROS + 1] = {{0}};
     int macroCount = 0;
     for (int i = 0; i + 1 < count; i += 2) {
         char *value = options[i + 1];
         if (!strcmp(options[i], "-E")) entry = value;
         else if (!strcmp(options[i], "-T")) target = value;
+        else if (!strcmp(options[i], "-Fo")) bytecode = value;
         else if (!strcmp(options[i], "-Fc")) listing = value;
         else if (!strcmp(options[i], "-D") && macroCount < MAX_MACROS) {
             char *equals = strchr(value, '=');
@@ -94,6 +95,11 @@ static int compileWithFxc(const char *path, int count, char **options)
     HRESULT result = compile(source, size, path, macros, &includer, entry, target, flags, 0, &code, &messages);
     if (messages) fputs(ID3D10Blob_GetBufferPointer(messages), stderr);
     if (FAILED(result)) return 1;
+    if (bytecode) {
+        FILE *file = fopen(bytecode, "wb");
+        size_t length = ID3D10Blob_GetBufferSize(code);
+        if (!file || fwrite(ID3D10Blob_GetBufferPointer(code), 1, length, file) != length || fclose(file)) return 2;
+    }
     if (listing) {
         ID3DBlob *text = NULL;
         FILE *file = fopen(listing, "wb");
@@ -151,10 +157,19 @@ static int compileWithDxc(int count, char **options)
     return FAILED(status) ? 1 : 0;
 }
 
-int main(int count, char **arguments)
+static int run(int count, char **arguments)
 {
     if (count >= 3 && !strcmp(arguments[1], "fxc")) return compileWithFxc(arguments[2], count - 3, arguments + 3);
     if (count >= 3 && !strcmp(arguments[1], "dxc")) return compileWithDxc(count - 2, arguments + 2);
     fprintf(stderr, "usage: d3dcompile fxc|dxc FILE -E ENTRY -T TARGET [-D NAME=VALUE]...\n");
     return 2;
+}
+
+int main(int count, char **arguments)
+{
+    int code = run(count, arguments);
+    fflush(NULL);
+    // No return: when the compilers are unloaded, a thread now and then faults under Wine, and says so on stderr.
+    TerminateProcess(GetCurrentProcess(), (UINT)code);
+    return code;
 }

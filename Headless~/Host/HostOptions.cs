@@ -41,6 +41,12 @@ namespace AnatomyCarve.Headless
         /// <summary>The graphics API that the device pretends to be, to scripts and to pragmas of shaders. Vulkan draws for all of them.</summary>
         public GraphicsDeviceType GraphicsDeviceType { get; set; } = GraphicsDeviceType.Vulkan;
 
+        /// <summary>
+        /// Through which compilers kernels go; what cameras draw always goes through glslang. Default: FXC if ANATOMYCARVE_KERNEL_COMPILER is fxc.
+        /// </summary>
+        public KernelCompiler KernelCompiler { get; set; } =
+            Environment.GetEnvironmentVariable("ANATOMYCARVE_KERNEL_COMPILER") == "fxc" ? KernelCompiler.Fxc : KernelCompiler.Glslang;
+
         /// <summary>Whether the device says that it runs compute shaders.</summary>
         public bool ComputeShaders { get; set; } = true;
 

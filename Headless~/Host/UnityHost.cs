@@ -8,6 +8,7 @@ using UnityEngine;
 using UnityEngine.Experimental.Rendering;
 using UnityEngine.InputSystem;
 using UnityEngine.SceneManagement;
+using UnityEngine.Shaders;
 
 namespace AnatomyCarve.Headless
 {
@@ -159,6 +160,7 @@ namespace AnatomyCarve.Headless
             GpuOptions.PackageRoot = PackageRoot;
             GpuOptions.CacheFolder = options.CacheFolder;
             (GpuOptions.DeviceType, GpuOptions.ComputeShaders) = (options.GraphicsDeviceType, options.ComputeShaders);
+            GpuOptions.KernelRoute = (KernelRoute)options.KernelCompiler;
             GpuOptions.DeniedFormats.Clear();
             GpuOptions.DeniedFormats.UnionWith(options.DeniedFormats);
             EngineLoop.EarlyUpdate += Gpu.BeginFrame;

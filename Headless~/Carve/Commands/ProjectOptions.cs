@@ -26,6 +26,11 @@ namespace AnatomyCarve.Headless.Cli.Commands
             ["mono"] = HostStereo.Mono, ["multi-pass"] = HostStereo.MultiPass, ["instanced"] = HostStereo.SinglePassInstanced, ["multiview"] = HostStereo.Multiview,
         };
 
+        static readonly Dictionary<string, KernelCompiler> Compilers = new()
+        {
+            ["glslang"] = KernelCompiler.Glslang, ["fxc"] = KernelCompiler.Fxc,
+        };
+
         readonly Option<string> pipeline = Choice("--pipeline", Pipelines.Keys, "The render pipeline of what a camera draws.");
 
         readonly Option<string> colorSpace = Choice("--color-space", ColorSpaces.Keys, "The project's colour space; in gamma, Unity blends what is encoded.");
@@ -36,9 +41,12 @@ namespace AnatomyCarve.Headless.Cli.Commands
         readonly Option<string> stereo = Choice("--stereo", Eyes.Keys,
             FormattableString.Invariant($"Draw for a headset: both eyes side by side, each of --size, {1000 * DrawnView.EyeDistance:0} mm apart, with parallel views."));
 
+        readonly Option<string> compiler = Choice("--compiler", Compilers.Keys,
+            "How kernels are compiled: by glslang, or by Microsoft's FXC as in Unity, whose bytecode vkd3d takes to the device; Headless~/carve sets both up.");
+
         public void AddTo(Command command)
         {
-            foreach (var option in new[] { pipeline, colorSpace, stereo }) command.Options.Add(option);
+            foreach (var option in new[] { pipeline, colorSpace, stereo, compiler }) command.Options.Add(option);
         }
 
         public RenderProject Read(ParseResult parsed, PictureSize size) => new()
@@ -47,6 +55,7 @@ namespace AnatomyCarve.Headless.Cli.Commands
             ColorSpace = ColorSpaces[parsed.GetValue(colorSpace)!],
             Layout = Layouts[parsed.GetValue(Layout) ?? "automatic"],
             Stereo = Eyes[parsed.GetValue(stereo)!],
+            KernelCompiler = Compilers[parsed.GetValue(compiler)!],
             Size = size,
         };
 

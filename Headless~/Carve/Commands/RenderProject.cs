@@ -14,6 +14,8 @@ namespace AnatomyCarve.Headless.Cli.Commands
 
         public HostStereo Stereo { get; init; }
 
+        public KernelCompiler KernelCompiler { get; init; }
+
         /// <summary>An eye's picture, or the camera's.</summary>
         public PictureSize Size { get; init; } = new(1, 1);
 
@@ -23,6 +25,7 @@ namespace AnatomyCarve.Headless.Cli.Commands
             RenderPipeline = Pipeline,
             ColorSpace = ColorSpace,
             Stereo = Stereo,
+            KernelCompiler = KernelCompiler,
             Headset = { EyeWidth = Size.Width, EyeHeight = Size.Height },
         };
     }

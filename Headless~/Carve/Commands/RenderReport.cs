@@ -69,6 +69,7 @@ namespace AnatomyCarve.Headless.Cli.Commands
                     ["name"] = SystemInfo.graphicsDeviceName,
                     ["type"] = SystemInfo.graphicsDeviceType.ToString(),
                     ["version"] = SystemInfo.graphicsDeviceVersion,
+                    ["kernelCompiler"] = request.Project.KernelCompiler.ToString().ToLowerInvariant(),
                 },
             };
         }

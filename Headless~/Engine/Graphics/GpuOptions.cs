@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using UnityEngine.Experimental.Rendering;
 using UnityEngine.Rendering;
+using UnityEngine.Shaders;
 
 namespace UnityEngine
 {
@@ -30,6 +31,9 @@ namespace UnityEngine
         /// <summary>Whether it is to pretend to run compute shaders.</summary>
         internal static bool ComputeShaders { get; set; } = true;
 
+        /// <summary>Through which compilers kernels go. What cameras draw goes through glslang.</summary>
+        internal static KernelRoute KernelRoute { get; set; }
+
         /// <summary>The folder that "Packages/com.anatomycarve.vr/" means in an #include. Null: such includes fail.</summary>
         internal static string PackageRoot { get; set; }
 
@@ -37,12 +41,13 @@ namespace UnityEngine
         internal static string CacheFolder { get; set; }
 
         /// <summary>The cache folder with the default filled in.</summary>
-        internal static string EffectiveCacheFolder
+        internal static string EffectiveCacheFolder => string.IsNullOrEmpty(CacheFolder) ? UserCacheFolder : CacheFolder;
+
+        /// <summary>The user's cache folder, where the commands of Headless~ keep what they install for themselves.</summary>
+        internal static string UserCacheFolder
         {
             get
             {
-                if (!string.IsNullOrEmpty(CacheFolder))
-                    return CacheFolder;
                 var cache = Environment.GetEnvironmentVariable("XDG_CACHE_HOME");
                 if (string.IsNullOrEmpty(cache))
                 {

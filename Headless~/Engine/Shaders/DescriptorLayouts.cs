@@ -13,6 +13,7 @@ namespace UnityEngine.Shaders
             BindingKind.RandomWriteTexture => Vk.VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
             BindingKind.Sampler => Vk.VK_DESCRIPTOR_TYPE_SAMPLER,
             BindingKind.ConstantBuffer => Vk.VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
+            BindingKind.TexelBuffer => Vk.VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER,
             _ => Vk.VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
         };
 

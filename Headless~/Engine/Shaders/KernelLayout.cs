@@ -15,6 +15,9 @@ namespace UnityEngine.Shaders
         ConstantBuffer,
         Buffer,
         RandomWriteBuffer,
+
+        /// <summary>A buffer that is read as texels of 32 bits.</summary>
+        TexelBuffer,
     }
 
     /// <summary>How the bits of a number are read.</summary>
@@ -53,6 +56,10 @@ namespace UnityEngine.Shaders
     {
         internal string Name;
         internal int NameId;
+
+        /// <summary>What the code calls it, which need not be the source's name.</summary>
+        internal string Variable;
+
         internal uint Index;
         internal BindingKind Kind;
 

@@ -8,15 +8,15 @@ namespace UnityEngine.Shaders
     {
         readonly VulkanDevice m_Device;
 
-        internal KernelProgram(GpuContext context, string kernel, byte[] spirv, KernelLayout layout)
+        internal KernelProgram(GpuContext context, KernelCode code)
         {
             Context = context;
             m_Device = context.Device;
             try
             {
-                SetLayout = DescriptorLayouts.CreateSet(m_Device, layout.Bindings, Vk.VK_SHADER_STAGE_COMPUTE_BIT);
+                SetLayout = DescriptorLayouts.CreateSet(m_Device, code.Layout.Bindings, Vk.VK_SHADER_STAGE_COMPUTE_BIT);
                 PipelineLayout = DescriptorLayouts.CreatePipeline(m_Device, SetLayout);
-                Pipeline = CreatePipeline(kernel, spirv);
+                Pipeline = CreatePipeline(code);
             }
             catch
             {
@@ -44,10 +44,10 @@ namespace UnityEngine.Shaders
             Pipeline = PipelineLayout = SetLayout = 0;
         }
 
-        ulong CreatePipeline(string kernel, byte[] spirv)
+        ulong CreatePipeline(KernelCode code)
         {
             using var text = new NativeText();
-            var module = DescriptorLayouts.CreateModule(m_Device, spirv);
+            var module = DescriptorLayouts.CreateModule(m_Device, code.Spirv);
             ulong pipeline;
             var info = new VkComputePipelineCreateInfo
             {
@@ -57,7 +57,7 @@ namespace UnityEngine.Shaders
                     sType = Vk.VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
                     stage = Vk.VK_SHADER_STAGE_COMPUTE_BIT,
                     module = module,
-                    pName = text.Add(kernel),
+                    pName = text.Add(code.Entry),
                 },
                 layout = PipelineLayout,
                 basePipelineIndex = -1,

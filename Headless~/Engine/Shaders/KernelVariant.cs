@@ -16,7 +16,7 @@ namespace UnityEngine.Shaders
         readonly ComputeSource m_Source;
         readonly KernelPragma m_Kernel;
         readonly IReadOnlyList<string> m_Keywords;
-        byte[] m_Spirv;
+        KernelCode m_Code;
         KernelProgram m_Program;
         bool m_Compiled;
 
@@ -31,7 +31,7 @@ namespace UnityEngine.Shaders
         internal string Error { get; private set; }
 
         /// <summary>Null if it does not compile.</summary>
-        internal KernelLayout Layout { get; private set; }
+        internal KernelLayout Layout => m_Code?.Layout;
 
         /// <summary>Whether it was compiled, without an error.</summary>
         internal bool Runs => m_Compiled && Error == null;
@@ -45,10 +45,7 @@ namespace UnityEngine.Shaders
             try
             {
                 var defines = m_Kernel.Defines.Concat(m_Keywords.Select(k => k + "=1")).ToList();
-                var module = SpirvRewriter.WithoutFormats(SpirvModule.Parse(HlslCompiler.Compile(m_Source, m_Kernel.Name, defines)));
-                m_Spirv = new byte[module.Words.Length * 4];
-                Buffer.BlockCopy(module.Words, 0, m_Spirv, 0, m_Spirv.Length);
-                Layout = SpirvReflection.Reflect(module);
+                m_Code = KernelCode.Compile(m_Source, m_Kernel.Name, defines);
                 Error = CheckLimits();
             }
             catch (Exception e) when (e is ShaderCompileException or FormatException or NotSupportedException)
@@ -65,7 +62,7 @@ namespace UnityEngine.Shaders
         {
             if (m_Program == null || m_Program.Context != context)
             {
-                m_Program = new KernelProgram(context, m_Kernel.Name, m_Spirv, Layout);
+                m_Program = new KernelProgram(context, m_Code);
                 context.Own(m_Program);
             }
             return m_Program;

@@ -39,6 +39,9 @@ namespace UnityEngine.Shaders
         CopyObject = 83,
         ImageRead = 98,
         ImageWrite = 99,
+        FAdd = 129,
+        FSub = 131,
+        FMul = 133,
         Select = 169,
         Phi = 245,
         Label = 248,
@@ -111,6 +114,13 @@ namespace UnityEngine.Shaders
                 if (words[i] >> 16 == 0 || i + (words[i] >> 16) > words.Length)
                     throw new FormatException($"broken SPIR-V instruction at word {i}");
             return module;
+        }
+
+        internal byte[] ToBytes()
+        {
+            var bytes = new byte[Words.Length * 4];
+            Buffer.BlockCopy(Words, 0, bytes, 0, bytes.Length);
+            return bytes;
         }
 
         internal IEnumerable<SpirvInstruction> Instructions()

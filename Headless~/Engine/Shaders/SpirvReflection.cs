@@ -73,13 +73,17 @@ namespace UnityEngine.Shaders
             }
         }
 
+        /// <summary>Why a Buffer or RWBuffer, of numbers and not of structs, cannot be.</summary>
+        internal static string TypedBuffer(string name) => $"'{name}' is a typed buffer; use a StructuredBuffer.";
+
         KernelBinding Binding(SpirvInstruction variable)
         {
             var id = variable[2];
             if (!m_Types.TryDecoration(id, DecorationBinding, out var index))
                 return null;
             var type = m_Types[m_Types[variable[1]][3]];
-            var binding = new KernelBinding { Index = index, Name = m_Names.TryGetValue(id, out var name) ? name : "" };
+            var binding = new KernelBinding { Index = index, Variable = m_Names.TryGetValue(id, out var name) ? name : "" };
+            binding.Name = binding.Variable;
             switch (type.Op)
             {
                 case SpirvOp.TypeSampler:
@@ -97,7 +101,7 @@ namespace UnityEngine.Shaders
                     break;
                 case SpirvOp.TypeStruct when m_Types.HasDecoration(type[1], DecorationBlock):
                     binding.Kind = BindingKind.ConstantBuffer;
-                    binding.Name = m_Names.TryGetValue(type[1], out var block) ? block : name;
+                    binding.Name = m_Names.TryGetValue(type[1], out var block) ? block : binding.Variable;
                     binding.Members = m_Types.Members(type);
                     binding.Size = (binding.Members.Select(m => m.Offset + m.Size).DefaultIfEmpty(0).Max() + 15) / 16 * 16;
                     break;
@@ -115,9 +119,9 @@ namespace UnityEngine.Shaders
             binding.Reads = m_Read.Contains(variable);
             binding.Writes = m_Written.Contains(variable);
             binding.ImageFormat = type[8];
-            if (type[3] == DimBuffer)
-                throw new NotSupportedException($"'{binding.Name}' is a typed buffer; use a StructuredBuffer.");
-            binding.Kind = storage ? BindingKind.RandomWriteTexture : BindingKind.Texture;
+            binding.Kind = storage ? BindingKind.RandomWriteTexture : type[3] == DimBuffer ? BindingKind.TexelBuffer : BindingKind.Texture;
+            if (type[3] == DimBuffer && storage)
+                throw new NotSupportedException(TypedBuffer(binding.Name));
             binding.Dimension = (type[3], type[5]) switch
             {
                 (1, 0) => TextureDimension.Tex2D,

@@ -74,7 +74,7 @@ namespace UnityEngine.Shaders
             {
                 var type = m_Types[block[(int)m + 2]];
                 var offset = start + (int)m_MemberDecorations[(block[1], m, DecorationOffset)];
-                var name = prefix + m_MemberNames[(block[1], m)];
+                var name = prefix + (m_MemberNames.TryGetValue((block[1], m), out var own) ? own : "");
                 if (type.Op == SpirvOp.TypeStruct)
                     AddMembers(members, type, name + ".", offset);
                 else if (type.Op == SpirvOp.TypeArray && m_Types[type[2]].Op == SpirvOp.TypeStruct)

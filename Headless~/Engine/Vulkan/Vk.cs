@@ -68,6 +68,7 @@ namespace UnityEngine.Vulkan
         public const uint VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT = 0x00000100;
         public const uint VK_BUFFER_USAGE_VERTEX_BUFFER_BIT = 0x00000080;
         public const uint VK_BUFFER_USAGE_INDEX_BUFFER_BIT = 0x00000040;
+        public const uint VK_FORMAT_R32_UINT = 98;
         public const uint VK_IMAGE_TYPE_2D = 1;
         public const uint VK_IMAGE_TYPE_3D = 2;
         public const uint VK_IMAGE_VIEW_TYPE_2D = 1;

@@ -20,6 +20,7 @@ namespace UnityEngine.Vulkan
     {
         readonly VulkanDevice m_Device;
         ulong m_Memory;
+        ulong m_WordView;
 
         internal VulkanBuffer(VulkanDevice device, ulong size, uint usage, BufferPlace place)
         {
@@ -53,8 +54,35 @@ namespace UnityEngine.Vulkan
         /// <summary>The bytes in the host's address space, or null.</summary>
         internal byte* Mapped { get; private set; }
 
+        /// <summary>A view of all of it as texels of 32 bits.</summary>
+        /// <exception cref="VulkanException">The device has no views as large.</exception>
+        internal ulong WordView
+        {
+            get
+            {
+                if (m_WordView != 0)
+                    return m_WordView;
+                var most = m_Device.Properties.limits.maxTexelBufferElements;
+                if (Size / sizeof(uint) > most)
+                    throw new VulkanException($"A buffer of {Size:N0} bytes cannot be read as texels on {m_Device.Name}, which has views of {most:N0} of 4 bytes.");
+                var info = new VkBufferViewCreateInfo
+                {
+                    sType = Vk.VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO,
+                    buffer = Handle,
+                    format = Vk.VK_FORMAT_R32_UINT,
+                    range = Vk.VK_WHOLE_SIZE,
+                };
+                ulong view;
+                VulkanException.Check(m_Device.Api.vkCreateBufferView(m_Device.Handle, &info, null, &view), "vkCreateBufferView");
+                return m_WordView = view;
+            }
+        }
+
         public void Dispose()
         {
+            if (m_WordView != 0)
+                m_Device.Api.vkDestroyBufferView(m_Device.Handle, m_WordView, null);
+            m_WordView = 0;
             if (Handle != 0)
                 m_Device.Api.vkDestroyBuffer(m_Device.Handle, Handle, null);
             if (m_Memory != 0)

@@ -24,6 +24,7 @@ namespace AnatomyCarve.Headless.Tests.CommandLine
             {
                 "--labels", "--tf", "--carving", "--camera", "--size", "--quality", "--cut", "--anti-aliasing", "--background", "--output",
                 "--depth", "--segments", "--report", "--no-progress", "--drawn", "--drawn-depth", "--pipeline", "--color-space", "--layout", "--stereo",
+                "--compiler",
             })
                 Assert.That(result.Output, Does.Match($@"(?m)^\s+{option}\b.*\s\w+"), option);
             Assert.That(result.Output, Does.Contain("AZIMUTH,ELEVATION"));

@@ -5,7 +5,9 @@ using UnityEngine.TestTools;
 
 namespace AnatomyCarve.Headless.Tests.Graphics
 {
-    public sealed class ConstantTests : GpuTest
+    [TestFixture(KernelCompiler.Glslang)]
+    [TestFixture(KernelCompiler.Fxc)]
+    public sealed class ConstantTests(KernelCompiler compiler) : GpuTest(compiler)
     {
         static readonly Matrix4x4 s_Matrix = Matrix4x4.TRS(new Vector3(1, 2, 3), Quaternion.Euler(10, 20, 30), new Vector3(1, 2, 4));
         static readonly Vector4 s_Point = new(5, 6, 7, 1);

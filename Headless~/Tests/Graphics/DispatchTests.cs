@@ -4,7 +4,9 @@ using UnityEngine;
 
 namespace AnatomyCarve.Headless.Tests.Graphics
 {
-    public sealed class DispatchTests : GpuTest
+    [TestFixture(KernelCompiler.Glslang)]
+    [TestFixture(KernelCompiler.Fxc)]
+    public sealed class DispatchTests(KernelCompiler compiler) : GpuTest(compiler)
     {
         struct Row
         {

@@ -5,7 +5,9 @@ using UnityEngine.Experimental.Rendering;
 
 namespace AnatomyCarve.Headless.Tests.Graphics
 {
-    public sealed class FormatTests : GpuTest
+    [TestFixture(KernelCompiler.Glslang)]
+    [TestFixture(KernelCompiler.Fxc)]
+    public sealed class FormatTests(KernelCompiler compiler) : GpuTest(compiler)
     {
         const int Width = 5, Height = 3, Depth = 2;
 

@@ -5,6 +5,7 @@ using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.Experimental.Rendering;
 using UnityEngine.Rendering;
+using UnityEngine.Shaders;
 
 namespace AnatomyCarve.Headless.Tests.Graphics
 {
@@ -12,12 +13,20 @@ namespace AnatomyCarve.Headless.Tests.Graphics
     public abstract class GpuTest
     {
         readonly Stack<Action> m_Cleanup = new();
+        readonly KernelCompiler m_Compiler;
+
+        /// <param name="compiler">Through which compilers the kernels of these tests go.</param>
+        protected GpuTest(KernelCompiler compiler = KernelCompiler.Glslang) => m_Compiler = compiler;
 
         protected static string FixtureFolder => Path.Combine(GraphicsSetUp.Host.PackageRoot, "Headless~", "Tests", "Graphics", "Fixtures");
+
+        [SetUp]
+        public void ChooseCompiler() => GpuOptions.KernelRoute = (KernelRoute)m_Compiler;
 
         [TearDown]
         public void FreeAll()
         {
+            GpuOptions.KernelRoute = KernelRoute.Glslang;
             while (m_Cleanup.Count > 0)
                 m_Cleanup.Pop()();
         }

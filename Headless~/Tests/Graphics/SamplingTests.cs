@@ -5,7 +5,9 @@ using UnityEngine.Experimental.Rendering;
 
 namespace AnatomyCarve.Headless.Tests.Graphics
 {
-    public sealed class SamplingTests : GpuTest
+    [TestFixture(KernelCompiler.Glslang)]
+    [TestFixture(KernelCompiler.Fxc)]
+    public sealed class SamplingTests(KernelCompiler compiler) : GpuTest(compiler)
     {
         const int Size = 4;
 

@@ -8,7 +8,9 @@ using UnityEngine.TestTools;
 namespace AnatomyCarve.Headless.Tests.Graphics
 {
     /// <summary>What Unity refuses, and how.</summary>
-    public sealed class StrictnessTests : GpuTest
+    [TestFixture(KernelCompiler.Glslang)]
+    [TestFixture(KernelCompiler.Fxc)]
+    public sealed class StrictnessTests(KernelCompiler compiler) : GpuTest(compiler)
     {
         [Test]
         public void Dispatch_WithUnsetResource_LogsAndDoesNothing()

@@ -21,6 +21,7 @@ namespace UnityEngine
             var writes = stackalloc VkWriteDescriptorSet[count];
             var images = stackalloc VkDescriptorImageInfo[count];
             var buffers = stackalloc VkDescriptorBufferInfo[count];
+            var views = stackalloc ulong[count];
             for (var i = 0; i < count; i++)
             {
                 writes[i] = new VkWriteDescriptorSet
@@ -32,7 +33,9 @@ namespace UnityEngine
                     descriptorType = DescriptorLayouts.Type(bindings[i].Kind),
                     pImageInfo = &images[i],
                     pBufferInfo = &buffers[i],
+                    pTexelBufferView = &views[i],
                 };
+                views[i] = bindings[i].Kind == BindingKind.TexelBuffer ? slots[i].Buffer.WordView : 0;
                 slots[i].Describe(bindings[i].Kind, out images[i], out buffers[i]);
             }
             context.Device.Api.vkUpdateDescriptorSets(context.Device.Handle, (uint)count, writes, 0, null);
@@ -55,6 +58,8 @@ namespace UnityEngine
                     break;
                 case BindingKind.Sampler:
                     image.sampler = Sampler;
+                    break;
+                case BindingKind.TexelBuffer:
                     break;
                 default:
                     buffer = new VkDescriptorBufferInfo { buffer = Buffer.Handle, offset = Offset, range = Range };

@@ -40,7 +40,7 @@ namespace UnityEngine
                 var error = binding.Kind switch
                 {
                     BindingKind.Texture or BindingKind.RandomWriteTexture => ResolveTexture(binding, ref m_Slots[i]),
-                    BindingKind.Buffer or BindingKind.RandomWriteBuffer => ResolveBuffer(binding, ref m_Slots[i]),
+                    BindingKind.Buffer or BindingKind.RandomWriteBuffer or BindingKind.TexelBuffer => ResolveBuffer(binding, ref m_Slots[i]),
                     BindingKind.Sampler => ResolveSampler(binding, ref m_Slots[i]),
                     _ => ResolveConstants(binding, ref m_Slots[i]),
                 };

@@ -159,6 +159,8 @@ namespace UnityEngine.Shaders
                 if (binding.Kind is BindingKind.Texture or BindingKind.SampledTexture && binding.Dimension is not (TextureDimension.Tex2D
                     or TextureDimension.Tex2DArray or TextureDimension.Tex3D))
                     throw new NotSupportedException($"'{binding.Name}' is a texture of a dimension that this host does not have: {binding.Dimension}");
+                if (binding.Kind == BindingKind.TexelBuffer)
+                    throw new NotSupportedException(SpirvReflection.TypedBuffer(binding.Name));
                 if (binding.Kind is BindingKind.RandomWriteBuffer or BindingKind.RandomWriteTexture)
                     throw new NotSupportedException($"'{binding.Name}' is written by a vertex or fragment stage, which this host does not support");
             }
