@@ -166,6 +166,7 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT, flo
         int3 lookedUp = int3(-2, -2, -2); // the corner whose segment is known: no ray gets there
         uint segment = NO_SEGMENT;
         float3 segmentColor = float3(0.0, 0.0, 0.0);
+        bool isBorder = false; // whether other segments are at the corner as well
         bool seen = false;
         float visibleAt = 0.0;  // in steps
         float beforeLast = 0.0; // alpha before the last step but one
@@ -205,6 +206,7 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT, flo
                     lookedUp = corner;
                     segment = SegmentAround(corner);
                     segmentColor = SegmentColor(segment);
+                    isBorder = segment != NO_SEGMENT && IsBorder(corner, segment);
                 }
                 float before = result.color.a;
                 if (before == 0.0)
@@ -215,7 +217,11 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT, flo
                 float logPassing = lengths * log2(max(1.0 - opacity, 1e-30)); // of the light that passes the step
                 float passing = opacity < 1.0 ? exp2(logPassing) : 0.0; // matter of opacity 1 stops all light, however short the step
                 float weight = (1.0 - before) * (1.0 - passing);
-                result.color.rgb += weight * BlinnPhong(segmentColor, BlendedNormal(index), toViewer, toLight);
+                float3 base = segmentColor;
+                [branch]
+                if (isBorder)
+                    base = BorderColor(index, segmentColor);
+                result.color.rgb += weight * BlinnPhong(base, BlendedNormal(index), toViewer, toLight);
                 result.color.a = before + weight;
                 if (!seen && result.color.a >= _March.z)
                 {

@@ -45,11 +45,45 @@ uint SegmentAround(int3 corner)
     return segment;
 }
 
+// Whether any of the eight voxels of a corner that are not empty belongs to another segment.
+bool IsBorder(int3 corner, uint segment)
+{
+    int3 last = VolumeDims() - 1;
+    bool differs = false;
+    [unroll]
+    for (int n = 0; n < 8; n++)
+    {
+        int3 voxel = clamp(corner + int3(n & 1, (n >> 1) & 1, n >> 2), int3(0, 0, 0), last);
+        differs = differs || (_Labels.Load(int4(voxel, 0)) != segment && OpacityOf(voxel) > 0.0);
+    }
+    return differs;
+}
+
 // Linear colour of a segment; NO_SEGMENT has the colour of segment 0.
 float3 SegmentColor(uint segment)
 {
     uint row = segment < SegmentCount() ? segment : 0u;
     return _SegmentColors.Load(int3(row % SEGMENTS_PER_ROW, row / SEGMENTS_PER_ROW, 0)).rgb;
+}
+
+// Linear colour at a place between voxels of several segments: of the eight around, each counts by its share and its opacity before anti-aliasing. So
+// borders between segments have no steps, and what is empty lends no colour.
+float3 BorderColor(float3 index, float3 otherwise)
+{
+    float3 corner = floor(index);
+    float3 part = index - corner;
+    int3 last = VolumeDims() - 1;
+    float4 sum = float4(0.0, 0.0, 0.0, 0.0);
+    [loop]
+    for (int n = 0; n < 8; n++)
+    {
+        int3 offset = int3(n & 1, (n >> 1) & 1, n >> 2);
+        float3 weights = float3(offset) * part + float3(1 - offset) * (1.0 - part);
+        int3 voxel = clamp(int3(corner) + offset, int3(0, 0, 0), last);
+        float weight = weights.x * weights.y * weights.z * OpacityOf(voxel);
+        sum += weight * float4(SegmentColor(_Labels.Load(int4(voxel, 0))), 1.0);
+    }
+    return sum.a > 0.0 ? sum.rgb / max(sum.a, 1e-20) : otherwise;
 }
 
 #endif

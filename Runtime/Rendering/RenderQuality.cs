@@ -106,8 +106,8 @@ namespace AnatomyCarve
         /// <summary>The names that <see cref="Named"/> knows, from the cheapest to the best.</summary>
         public static string[] Names => new[] { "fast", "balanced", "best" };
 
-        /// <summary>Binary cuts, steps of one reference length, rays that stop at an alpha of 0.98, the GPU's texture filter.</summary>
-        public static RenderQuality Fast() => new RenderQuality { step = 1f, opaqueAlpha = 0.98f, filter = OpacityFilter.Hardware };
+        /// <summary>Binary cuts, steps of one reference length, the GPU's texture filter.</summary>
+        public static RenderQuality Fast() => new RenderQuality { step = 1f, filter = OpacityFilter.Hardware };
 
         /// <summary>Binary cuts, which are Eq. 1 exactly, and steps of half a reference length. What a new renderer has.</summary>
         public static RenderQuality Balanced() => new RenderQuality();

@@ -131,7 +131,7 @@ namespace AnatomyCarve.Tests.Carving
             long allocated = GC.GetAllocatedBytesForCurrentThread();
             dirty.Compute(before, stack.State, CutMode.Smooth, 2);
             allocated = GC.GetAllocatedBytesForCurrentThread() - allocated;
-            Assert.That(dirty.Count, Is.EqualTo(194), "of 216 in the box of both places");
+            Assert.That(dirty.Count, Is.EqualTo(177), "of 252 in the box of both places");
             Assert.That(allocated, Is.LessThan(1000), "bytes; the volume has a million bricks");
         }
 

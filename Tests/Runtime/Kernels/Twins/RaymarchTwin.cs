@@ -1,4 +1,5 @@
 using System;
+using UnityEngine;
 
 namespace AnatomyCarve.Tests.Kernels
 {
@@ -142,9 +143,26 @@ namespace AnatomyCarve.Tests.Kernels
             double diffuse = scene.Diffuse * Math.Max(0, Dot(n, scene.Light));
             double specular = scene.Specular * Math.Pow(Math.Max(0, Dot(n, halfway)), scene.Shininess);
             var color = new double[3];
+            double[] baseColor = BaseColor(segment, p);
             for (int c = 0; c < 3; c++)
-                color[c] = scene.Colors[segment == RayScene.NoSegment ? 0 : segment][c] * (scene.Ambient + diffuse * scene.LightColor[c]) + specular * scene.LightColor[c];
+                color[c] = baseColor[c] * (scene.Ambient + diffuse * scene.LightColor[c]) + specular * scene.LightColor[c];
             return color;
+        }
+
+        /// <summary>The colours of the eight voxels around, by share and opacity; where all are empty, the segment's.</summary>
+        double[] BaseColor(int segment, double[] p)
+        {
+            var sum = new double[4];
+            ForCorners(p, (voxel, share) =>
+            {
+                Vector4 color = scene.Colors[scene.Labels[voxel]];
+                double weight = share * scene.Opacity[voxel];
+                for (int c = 0; c < 3; c++)
+                    sum[c] += weight * color[c];
+                sum[3] += weight;
+            });
+            Vector4 own = scene.Colors[segment == RayScene.NoSegment ? 0 : segment];
+            return sum[3] > 0 ? new[] { sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3] } : new double[] { own.x, own.y, own.z };
         }
 
         double[] BlendedNormal(double[] p)
