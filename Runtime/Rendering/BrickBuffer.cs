@@ -16,6 +16,9 @@ namespace AnatomyCarve
             this.grid = grid;
         }
 
+        /// <summary>The bytes of a list that holds so many bricks.</summary>
+        public static long BytesOf(long bricks) => sizeof(uint) * Math.Max(bricks, 1);
+
         /// <summary>The list; null before the first upload.</summary>
         public GraphicsBuffer Buffer { get; private set; }
 

@@ -12,17 +12,23 @@ namespace AnatomyCarve
     /// </summary>
     sealed class SphereBuffers : IDisposable
     {
+        /// <summary>Spheres that there is room for at first.</summary>
+        const int FirstRows = 16;
+
         readonly CentredGrid grid;
         readonly int wordsPerMask;
-        SphereRow[] rows = new SphereRow[16];
+        SphereRow[] rows = new SphereRow[FirstRows];
         uint[] words;
 
         public SphereBuffers(CentredGrid grid, int segmentCount)
         {
             this.grid = grid;
-            wordsPerMask = (segmentCount + 31) / 32;
-            words = new uint[16 * wordsPerMask];
+            wordsPerMask = WordsFor(segmentCount);
+            words = new uint[FirstRows * wordsPerMask];
         }
+
+        /// <summary>The bytes of both buffers while there are no more spheres than there is room for at first.</summary>
+        public static long FirstBytesOf(int segmentCount) => (long)FirstRows * (Marshal.SizeOf<SphereRow>() + sizeof(uint) * WordsFor(segmentCount));
 
         public GraphicsBuffer Spheres { get; private set; }
 
@@ -76,6 +82,8 @@ namespace AnatomyCarve
 
         const string SpheresName = "AnatomyCarve clip spheres";
         const string MaskWordsName = "AnatomyCarve clip masks";
+
+        static int WordsFor(int segmentCount) => (segmentCount + 31) / 32;
 
         void Reserve(int count)
         {
