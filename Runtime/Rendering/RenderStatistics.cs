@@ -81,14 +81,16 @@ namespace AnatomyCarve
         }
 
         /// <summary>Sum of <see cref="Resources"/> in bytes.</summary>
-        public long BytesResident
+        public long BytesResident => Sum(Resources);
+
+        /// <summary>The part of <see cref="BytesResident"/> that is the volume's, without pictures: what <see cref="MemoryForecast.GpuBytes"/> foretold.</summary>
+        public long VolumeBytesResident
         {
             get
             {
-                long sum = 0;
-                foreach (ResourceSize resource in Resources)
-                    sum += resource.Bytes;
-                return sum;
+                resources.Clear();
+                Source?.AddVolumeSizes(resources);
+                return Sum(resources);
             }
         }
 
@@ -102,6 +104,14 @@ namespace AnatomyCarve
             antiAlias = default;
             sobelNormals = default;
             raymarch = default;
+        }
+
+        static long Sum(IReadOnlyList<ResourceSize> sizes)
+        {
+            long sum = 0;
+            foreach (ResourceSize size in sizes)
+                sum += size.Bytes;
+            return sum;
         }
     }
 }

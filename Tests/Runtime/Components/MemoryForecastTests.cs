@@ -26,6 +26,7 @@ namespace AnatomyCarve.Tests.Components
             MemoryForecast forecast = MemoryForecast.Of(volume, "volume", layout);
             Assert.That(renderer.Statistics.Layout, Is.EqualTo(layout));
             Assert.That(forecast.GpuBytes, Is.EqualTo(renderer.Statistics.BytesResident - picture.Bytes));
+            Assert.That(forecast.GpuBytes, Is.EqualTo(renderer.Statistics.VolumeBytesResident));
             Assert.That(forecast.CpuBytes, Is.EqualTo(2L * volume.Intensity.Codes.Length + 2L * volume.Labels.Indices.Length));
         }
 
