@@ -38,8 +38,10 @@ namespace AnatomyCarve
         /// <summary>Raised on the main thread when another volume has been loaded completely, or set.</summary>
         public event Action<SegmentedVolume> Loaded;
 
-        /// <summary>Raised on the main thread when a coarse volume is shown while the rest of it loads. It has all segments and can be carved already. If the load
-        /// fails or is cancelled, it is taken away.</summary>
+        /// <summary>
+        /// Raised on the main thread when a coarse volume is shown while the rest of it loads. It has all segments and can be carved already. If the load fails
+        /// or is cancelled, it is taken away.
+        /// </summary>
         public event Action<SegmentedVolume> CoarseLoaded;
 
         /// <summary>Raised on the main thread when a load knows what its volume will take, before anything large is taken. <see cref="Cancel"/> stops it.</summary>

@@ -28,6 +28,9 @@ namespace AnatomyCarve
 
         public VolumeLimits Limits => limits;
 
+        /// <summary>Whether a volume can be held as it is.</summary>
+        public bool Fits(VolumeGeometry grid, int segments) => limits.Hold(grid.SizeI, grid.SizeJ, grid.SizeK, segments);
+
         /// <summary>By how much a volume has to get coarser; all 1 where it fits.</summary>
         /// <param name="segments">Rows of its segment table; the fewest that there can be, where they are not known yet.</param>
         /// <exception cref="VolumeTooLargeException">It does not fit and is to be refused, or nothing of it would fit.</exception>

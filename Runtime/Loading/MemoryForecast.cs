@@ -38,7 +38,10 @@ namespace AnatomyCarve
         /// <summary>Voxels along k.</summary>
         public int SizeK { get; }
 
-        /// <summary>Segments, label 0 included; 0 = known only when the voxels have been read. Then <see cref="GpuBytes"/> counts as many as the labels' type allows.</summary>
+        /// <summary>
+        /// Segments, label 0 included; 0 = known only when the voxels have been read. Then <see cref="GpuBytes"/> counts as many as the labels' type allows, and
+        /// 255 for labels stored in 8 bits.
+        /// </summary>
         public int SegmentCount { get; }
 
         /// <summary>How it will lie in textures: compact or portable.</summary>
@@ -96,8 +99,12 @@ namespace AnatomyCarve
         }
 
         /// <summary>One sentence, such as "ct.nii.gz: 512 x 512 x 600 voxels take 1,052.4 MiB on the GPU (7.02 bytes per voxel) and ...".</summary>
-        public override string ToString() => FormattableString.Invariant(
-            $"{Name}: {SizeI} x {SizeJ} x {SizeK} voxels take {(SegmentCount == 0 ? "at most " : "")}{MiB(GpuBytes)} on the GPU ({GpuBytesPerVoxel:0.00} bytes per voxel) and {MiB(CpuBytes)} of main memory, {MiB(CpuPeakBytes)} while they load.");
+        public override string ToString()
+        {
+            string most = SegmentCount == 0 ? "at most " : "";
+            return FormattableString.Invariant($"{Name}: {SizeI} x {SizeJ} x {SizeK} voxels take {most}{MiB(GpuBytes)} on the GPU ({GpuBytesPerVoxel:0.00} bytes per voxel) ")
+                + $"and {MiB(CpuBytes)} of main memory, {MiB(CpuPeakBytes)} while they load.";
+        }
 
         internal static string MiB(long bytes) => (bytes / (double)(1 << 20)).ToString("N1", CultureInfo.InvariantCulture) + " MiB";
 

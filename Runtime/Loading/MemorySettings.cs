@@ -13,18 +13,19 @@ namespace AnatomyCarve
         [SerializeField, Tooltip("What to do with a volume that the device cannot hold: make it coarser, with a warning, or refuse it")]
         WhenTooLarge whenTooLarge = WhenTooLarge.Downsample;
 
-        [SerializeField, Min(0), Tooltip("What a volume may take on the GPU, MiB; 0 = three quarters of graphics memory, or a quarter of main memory where the two are one")]
+        [SerializeField, Min(0)]
+        [Tooltip("What a volume may take on the GPU, MiB; 0 = three quarters of graphics memory, or a quarter of main memory where the two are one")]
         int budgetMiB;
 
         [SerializeField, Min(0), Tooltip("Volumes of more voxels are shown coarse first, while the rest loads; 0 = none is")]
         int coarseAboveVoxels = DefaultCoarseAboveVoxels;
 
-        /// <summary>What happens to a volume that the device cannot hold. At first it is made coarser: something is seen, and a warning says how coarse it is.</summary>
+        /// <summary>What happens to a volume that the device cannot hold. At first it is made coarser: it is seen, and a warning says how coarse it is.</summary>
         public WhenTooLarge WhenTooLarge { get => whenTooLarge; set => whenTooLarge = value; }
 
         /// <summary>
         /// What a volume may take on the GPU, MiB. 0 = what the device says: three quarters of graphics memory; a quarter of main memory where the two are one
-        /// (mobile devices, and devices that say to have less than 1 GiB of their own); no limit where neither is known. The limits of 3D textures hold in any case.
+        /// (mobile devices, and devices that say to have less than 1 GiB of their own); no limit where neither is known. The limits of 3D textures hold anyway.
         /// </summary>
         /// <exception cref="ArgumentOutOfRangeException">The value is negative.</exception>
         public int BudgetMiB { get => budgetMiB; set => budgetMiB = NotNegative(value, nameof(BudgetMiB)); }

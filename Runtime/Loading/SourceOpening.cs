@@ -35,8 +35,9 @@ namespace AnatomyCarve
         {
             // What is refused whatever the labels turn out to be takes no memory.
             int atLeast = Math.Max(1, MemoryForecast.SegmentsOf(labelsInfo));
-            bool fits = plan.Factors(scanInfo.Geometry, atLeast, intensity.ShortName).AreOne;
-            IProgress<float> reading = fits ? progress : new ProgressShare(progress, 0f, Reading);
+            plan.Factors(scanInfo.Geometry, atLeast, intensity.ShortName);
+            bool surelyFits = plan.Fits(scanInfo.Geometry, labels == null ? 1 : SegmentTable.MaximumCount);
+            IProgress<float> reading = surelyFits ? progress : new ProgressShare(progress, 0f, Reading);
             SegmentedVolume volume = SegmentedVolumeReader.Read(intensity, labels, cancellationToken, reading);
             VolumeGeometry grid = volume.Geometry;
             VoxelFactors factors = plan.Factors(grid, volume.Segments.Count, intensity.ShortName);

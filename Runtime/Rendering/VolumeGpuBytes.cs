@@ -2,8 +2,10 @@ using AnatomyCarve.Carving;
 
 namespace AnatomyCarve
 {
-    /// <summary>What a volume will take on the GPU, counted before anything is made: the sum that <see cref="RenderStatistics.Resources"/> lists afterwards,
-    /// without pictures and with at most 16 clip spheres.</summary>
+    /// <summary>
+    /// What a volume will take on the GPU, counted before anything is made: <see cref="RenderStatistics.VolumeBytesResident"/> afterwards, with at most 16 clip
+    /// spheres.
+    /// </summary>
     static class VolumeGpuBytes
     {
         /// <param name="sizeI">Voxels along i.</param>

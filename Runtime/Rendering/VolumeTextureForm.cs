@@ -2,8 +2,10 @@ using UnityEngine.Experimental.Rendering;
 
 namespace AnatomyCarve
 {
-    /// <summary>What one of a volume's textures is made of. All that a volume takes per voxel stands here: <see cref="VolumeTextures"/> makes its textures so, and
-    /// <see cref="VolumeGpuBytes"/> counts them before they are made.</summary>
+    /// <summary>
+    /// What one of a volume's textures is made of. All that a volume takes per voxel stands here: <see cref="VolumeTextures"/> makes its textures so, and
+    /// <see cref="VolumeGpuBytes"/> counts them before they are made.
+    /// </summary>
     readonly struct VolumeTextureForm
     {
         VolumeTextureForm(GraphicsFormat format, int bytesPerTexel, int voxelsPerTexel) =>

@@ -2,7 +2,9 @@ using System;
 
 namespace AnatomyCarve.Volumes
 {
-    /// <summary>How the voxels along an axis share the cells of a coarser one: cells of the same size that fill the axis, voxels by parts where they must be.</summary>
+    /// <summary>
+    /// How the voxels along an axis share the cells of a coarser one: cells of the same size that fill the axis, voxels by parts where they must be.
+    /// </summary>
     sealed class CellAxis
     {
         readonly int voxels, unitsPerVoxel, unitsPerCell;
