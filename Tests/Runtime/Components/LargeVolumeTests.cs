@@ -85,7 +85,7 @@ namespace AnatomyCarve.Tests.Components
             loader.Memory.WhenTooLarge = WhenTooLarge.Refuse;
             Task<SegmentedVolume> load = loader.LoadAsync(files.WriteIntensity("ct.nrrd", many), files.WriteLabels("labels.nrrd", many), default, reports);
             yield return Finished(load);
-            Assert.That(reports.Last, Is.GreaterThan(0.9f));
+            Assert.That(reports.Last, Is.GreaterThan(0.8f), "all was read");
             Assert.That(load.Exception?.InnerException, Is.InstanceOf<VolumeTooLargeException>());
         }
 
