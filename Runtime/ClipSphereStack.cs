@@ -42,8 +42,8 @@ namespace AnatomyCarve
         public VolumeLoader Loader { get => this.WiredOrSibling(loader); set => loader = value; }
 
         /// <summary>
-        /// The carving; null while no volume is loaded, and another one for each volume. In the Editor, outside Play, also another one when what volumes
-        /// start with was changed.
+        /// The carving; null while no volume is loaded, and another one for each volume; the whole one that follows a coarse one keeps its carving. In the Editor,
+        /// outside Play, also another one when what volumes start with was changed.
         /// </summary>
         public CarvingStack Carving
         {

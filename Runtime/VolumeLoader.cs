@@ -8,7 +8,8 @@ namespace AnatomyCarve
 {
     /// <summary>
     /// Loads a segmented volume, from an asset, from files or from memory, and publishes it to the components on its GameObject, whose local space is then the
-    /// patient's: +x left, +y superior, +z posterior, in metres around the volume's centre. What is shown stays until another volume has been loaded completely.
+    /// patient's: +x left, +y superior, +z posterior, in metres around the volume's centre. What is shown stays until another volume has been loaded completely;
+    /// where nothing is shown, a large volume is shown coarse first.
     /// </summary>
     [AddComponentMenu("AnatomyCarve/Volume Loader")]
     [DisallowMultipleComponent]
@@ -28,17 +29,32 @@ namespace AnatomyCarve
         [SerializeField, Tooltip("Load the asset or these files when the scene starts, and in the Editor outside Play")]
         bool loadOnStart = true;
 
+        [SerializeField, Tooltip("What to do with large volumes")]
+        MemorySettings memory = new MemorySettings();
+
         StartSource begun;
         LoadRun load;
 
-        /// <summary>Raised on the main thread when another volume has been loaded or set.</summary>
+        /// <summary>Raised on the main thread when another volume has been loaded completely, or set.</summary>
         public event Action<SegmentedVolume> Loaded;
+
+        /// <summary>
+        /// Raised on the main thread when a coarse volume is shown while the rest of it loads. It has all segments and can be carved already. If the load fails
+        /// or is cancelled, it is taken away.
+        /// </summary>
+        public event Action<SegmentedVolume> CoarseLoaded;
+
+        /// <summary>Raised on the main thread when a load knows what its volume will take, before anything large is taken. <see cref="Cancel"/> stops it.</summary>
+        public event Action<MemoryForecast> Forecast;
 
         /// <summary>Raised on the main thread when loading failed; not when it was cancelled.</summary>
         public event Action<Exception> Failed;
 
-        /// <summary>The volume that is shown; null while there is none.</summary>
+        /// <summary>The volume that is shown, which may be a coarse one; null while there is none.</summary>
         public SegmentedVolume Volume { get; private set; }
+
+        /// <summary>Whether <see cref="Volume"/> is a coarse one, of which the rest is being loaded.</summary>
+        public bool IsCoarse { get; private set; }
 
         /// <summary>Progress of the load that runs or ran last, 0 to 1.</summary>
         public float Progress => load?.Progress ?? 0f;
@@ -58,9 +74,10 @@ namespace AnatomyCarve
         /// <summary>Whether the asset or the files are loaded when the component starts.</summary>
         public bool LoadOnStart { get => loadOnStart; set => loadOnStart = value; }
 
-        /// <summary>
-        /// Loads an imported volume; no medical format has to be parsed. It is unpacked on other threads; everything else as with files.
-        /// </summary>
+        /// <summary>What is done with large volumes. Changes take effect with the next load.</summary>
+        public MemorySettings Memory => memory;
+
+        /// <summary>Loads an imported volume; no medical format has to be parsed. It is unpacked on other threads; everything else as with files.</summary>
         /// <inheritdoc cref="LoadAsync(string, string, CancellationToken, IProgress{float})"/>
         /// <param name="asset">The asset.</param>
         /// <exception cref="ArgumentNullException"><paramref name="asset"/> is null.</exception>
@@ -68,7 +85,7 @@ namespace AnatomyCarve
         {
             if (asset == null)
                 throw new ArgumentNullException(nameof(asset));
-            return LoadAsync((token, report) => VolumeOpening.AssetAsync(asset, token, report), cancellationToken, progress);
+            return LoadAsync(() => VolumeOpening.OfAsset(asset), cancellationToken, progress);
         }
 
         /// <summary>
@@ -84,6 +101,7 @@ namespace AnatomyCarve
         /// <exception cref="ArgumentException">There is no path.</exception>
         /// <exception cref="VolumeFormatException">It cannot be read.</exception>
         /// <exception cref="VolumeMismatchException">Intensities and labels are on different grids.</exception>
+        /// <exception cref="VolumeTooLargeException">The device cannot hold it, and <see cref="Memory"/> says to refuse it; or main memory cannot.</exception>
         /// <exception cref="AnatomyCarveException">A file could not be fetched out of the application's package or from an address.</exception>
         /// <exception cref="OperationCanceledException">The load was cancelled, or another one was started.</exception>
         public Task<SegmentedVolume> LoadAsync(
@@ -91,7 +109,7 @@ namespace AnatomyCarve
         {
             if (string.IsNullOrEmpty(intensityPath))
                 throw new ArgumentException("A volume needs a file with intensities.", nameof(intensityPath));
-            return LoadAsync((token, report) => VolumeOpening.FilesAsync(intensityPath, labelsPath, token, report), cancellationToken, progress);
+            return LoadAsync(() => VolumeOpening.OfFiles(intensityPath, labelsPath), cancellationToken, progress);
         }
 
         /// <summary>Loads a volume from files' contents, as they come from a server or a picker; everything else as with files.</summary>
@@ -105,17 +123,17 @@ namespace AnatomyCarve
         {
             if (intensity == null)
                 throw new ArgumentNullException(nameof(intensity));
-            return LoadAsync((token, report) => VolumeOpening.ContentsAsync(intensity, labels, name, token, report), cancellationToken, progress);
+            return LoadAsync(() => VolumeOpening.OfContents(intensity, labels, name), cancellationToken, progress);
         }
 
-        /// <summary>Shows a volume that is in memory already. A load that is still running is cancelled.</summary>
+        /// <summary>Shows a volume that is in memory already, as it is. A load that is still running is cancelled.</summary>
         /// <exception cref="ArgumentNullException"><paramref name="volume"/> is null; <see cref="Unload"/> shows nothing.</exception>
         public void SetVolume(SegmentedVolume volume)
         {
             if (volume == null)
                 throw new ArgumentNullException(nameof(volume));
             Cancel();
-            Publish(volume);
+            Publish(volume, false);
         }
 
         /// <summary>Shows nothing any more and lets go of the volume; renderers free its textures. A load that is still running is cancelled.</summary>
@@ -125,8 +143,13 @@ namespace AnatomyCarve
             Volume = null;
         }
 
-        /// <summary>Cancels the load that is running, if any.</summary>
-        public void Cancel() => load?.Cancel();
+        /// <summary>Cancels the load that is running, if any; a coarse volume goes with it.</summary>
+        public void Cancel()
+        {
+            load?.Cancel();
+            if (IsCoarse)
+                Publish(null, false);
+        }
 
         /// <summary>Begins what is to be loaded: once in Play, and outside Play whenever something else is to be loaded.</summary>
         void Update()
@@ -137,48 +160,35 @@ namespace AnatomyCarve
             bool first = !begun.IsSet;
             begun = wanted;
             if (wanted.HasSource && (!first || (Volume == null && !IsLoading)))
-                LoadStart(wanted);
+                wanted.LoadInto(this);
             else if (!first)
                 Unload();
         }
 
         void OnDestroy() => Unload();
 
-        async void LoadStart(StartSource source)
-        {
-            try
-            {
-                await (source.Asset != null ? LoadAsync(source.Asset) : LoadAsync(source.IntensityPath, source.LabelsPath));
-            }
-            catch (OperationCanceledException)
-            {
-                // Another load took its place, or the scene ended.
-            }
-            catch (Exception e)
-            {
-                Debug.LogException(e, this);
-            }
-        }
+        void OnValidate() => memory?.Clamp();
 
-        async Task<SegmentedVolume> LoadAsync(
-            Func<CancellationToken, IProgress<float>, Task<SegmentedVolume>> open, CancellationToken cancellationToken, IProgress<float> progress)
+        async Task<SegmentedVolume> LoadAsync(Func<VolumeOpening> open, CancellationToken cancellationToken, IProgress<float> progress)
         {
             Cancel();
-            load = new LoadRun(cancellationToken, destroyCancellationToken, progress);
-            SegmentedVolume volume = await load.Run(open, e => Failed?.Invoke(e));
+            load = new LoadRun(cancellationToken, destroyCancellationToken, progress)
+            {
+                Forecast = forecast => Forecast?.Invoke(forecast),
+                Coarse = Volume == null ? coarse => Publish(coarse, coarse != null) : null,
+                Failed = e => Failed?.Invoke(e),
+            };
+            SegmentedVolume volume = await load.Run(open, this);
             foreach (string warning in volume.Warnings)
                 Debug.LogWarning(warning, this);
-            Publish(volume);
+            Publish(volume, false);
             return volume;
         }
 
-        void Publish(SegmentedVolume volume)
+        void Publish(SegmentedVolume volume, bool isCoarse)
         {
-            Volume = volume;
-            if (Loaded != null)
-                foreach (Delegate listener in Loaded.GetInvocationList())
-                    if (Volume == volume) // an earlier one may have set another volume, of which all were told
-                        ((Action<SegmentedVolume>)listener)(volume);
+            (Volume, IsCoarse) = (volume, isCoarse);
+            LoadEvents.Raise(isCoarse ? CoarseLoaded : Loaded, volume, () => Volume == volume);
             if (!Application.isPlaying)
                 EditorLink.RequestRefresh();
         }

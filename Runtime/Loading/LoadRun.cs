@@ -12,6 +12,7 @@ namespace AnatomyCarve
         readonly CancellationToken caller, owner;
         readonly LoadProgress relay;
         CancellationTokenSource source;
+        bool hasCoarse;
 
         /// <param name="caller">The token of whoever asked for the load.</param>
         /// <param name="owner">The token of the component's end.</param>
@@ -22,6 +23,15 @@ namespace AnatomyCarve
             this.owner = owner;
             relay = new LoadProgress(progress);
         }
+
+        /// <summary>Told of what the volume will take, before anything large is taken. It may cancel the load.</summary>
+        public Action<MemoryForecast> Forecast { get; set; }
+
+        /// <summary>Told of a coarse volume that can be shown while the rest loads, and of null when the rest will not come. Null = none is wanted.</summary>
+        public Action<SegmentedVolume> Coarse { get; set; }
+
+        /// <summary>Told of what went wrong; not of a cancellation, nor of failures after one.</summary>
+        public Action<Exception> Failed { get; set; }
 
         /// <summary>0 to 1.</summary>
         public float Progress => relay.Value;
@@ -37,10 +47,10 @@ namespace AnatomyCarve
             running?.Cancel();
         }
 
-        /// <summary>Loads. Called on the main thread, and ends there.</summary>
-        /// <param name="open">One of the ways of <see cref="VolumeOpening"/>.</param>
-        /// <param name="failed">Told of what went wrong; not of a cancellation, nor of failures after one.</param>
-        public async Task<SegmentedVolume> Run(Func<CancellationToken, IProgress<float>, Task<SegmentedVolume>> open, Action<Exception> failed)
+        /// <summary>Loads. Called on the main thread, and ends there; so is everybody told.</summary>
+        /// <param name="open">Gives the way to the volume.</param>
+        /// <param name="loader">Whose settings say what to do with large volumes.</param>
+        public async Task<SegmentedVolume> Run(Func<VolumeOpening> open, VolumeLoader loader)
         {
             // Outside Play the exit's token is that of the last Play, which has ended.
             CancellationToken exit = Application.isPlaying ? Application.exitCancellationToken : CancellationToken.None;
@@ -50,22 +60,53 @@ namespace AnatomyCarve
             try
             {
                 relay.Report(0f);
-                SegmentedVolume volume = await open(token, relay);
+                var plan = new LoadPlan(loader, Coarse == null ? null : new Progress<SegmentedVolume>(ShowCoarse)); // comes to this thread
+                using VolumeOpening opening = open();
+                SegmentedVolume volume = await Load(opening, plan, token);
+                if (hasCoarse)
+                    await Task.Yield(); // until the next frame: the coarse volume is seen while the whole one goes to the GPU
                 relay.Report(1f); // whoever is told may cancel
                 token.ThrowIfCancellationRequested();
                 return volume;
             }
-            catch (Exception e) when (!(e is OperationCanceledException))
+            catch (Exception e)
             {
+                bool isCurrent = source == linked; // else it was cancelled, and the loader may be at another load
                 source = null; // whoever is told may load again
-                if (!token.IsCancellationRequested)
-                    failed(e);
+                if (hasCoarse && isCurrent)
+                    Coarse(null);
+                if (!(e is OperationCanceledException) && !token.IsCancellationRequested)
+                    Failed?.Invoke(e);
                 throw;
             }
             finally
             {
                 source = null;
             }
+        }
+
+        async Task<SegmentedVolume> Load(VolumeOpening opening, LoadPlan plan, CancellationToken token)
+        {
+            MemoryForecast forecast = await opening.ForecastAsync(plan.Limits, token, relay);
+            token.ThrowIfCancellationRequested();
+            Forecast?.Invoke(forecast);
+            token.ThrowIfCancellationRequested();
+            try
+            {
+                return await opening.ReadAsync(plan, token, relay);
+            }
+            catch (OutOfMemoryException e)
+            {
+                throw new VolumeTooLargeException($"{forecast} Main memory cannot hold it.", e);
+            }
+        }
+
+        void ShowCoarse(SegmentedVolume volume)
+        {
+            if (!IsRunning || source.IsCancellationRequested)
+                return;
+            hasCoarse = true;
+            Coarse(volume);
         }
     }
 }

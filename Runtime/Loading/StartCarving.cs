@@ -9,16 +9,14 @@ namespace AnatomyCarve
     /// <summary>The carving that a volume starts with: a text that was edited in the Editor, or else a carving file, or else nothing.</summary>
     sealed class StartCarving
     {
-        readonly WeakReference<SegmentedVolume> carved = new WeakReference<SegmentedVolume>(null); // a volume is large: none is held that is not shown
-        bool isCarved;
+        object carved; // the volume's origin: a volume is large, none is held that is not shown
         string usedText = "";
         TextAsset usedFile;
         string usedFileText;
         int imports;
 
-        /// <summary>Whether the present carving is that of a volume; null = there is none.</summary>
-        public bool IsOf(SegmentedVolume volume) =>
-            volume == null ? !isCarved : isCarved && carved.TryGetTarget(out SegmentedVolume known) && known == volume;
+        /// <summary>Whether the present carving is that of a volume, or of a coarser one of the same data; null = there is none.</summary>
+        public bool IsOf(SegmentedVolume volume) => carved == volume?.Origin;
 
         /// <summary>Whether a volume would start with something else than it did the last time.</summary>
         public bool Differs(string text, TextAsset file)
@@ -47,8 +45,7 @@ namespace AnatomyCarve
         public CarvingStack Of(SegmentedVolume volume, string text, TextAsset file, Object owner, out CarvingDocument document)
         {
             SetUsed(text, file);
-            isCarved = volume != null;
-            carved.SetTarget(volume);
+            carved = volume?.Origin;
             document = null;
             if (volume == null)
                 return null;

@@ -1,4 +1,5 @@
 using System;
+using UnityEngine;
 
 namespace AnatomyCarve
 {
@@ -28,6 +29,23 @@ namespace AnatomyCarve
 
         /// <summary>Whether there is something to load.</summary>
         public bool HasSource => Asset != null || IntensityPath.Length > 0;
+
+        /// <summary>Has a loader load it. What goes wrong is logged.</summary>
+        public async void LoadInto(VolumeLoader loader)
+        {
+            try
+            {
+                await (Asset != null ? loader.LoadAsync(Asset) : loader.LoadAsync(IntensityPath, LabelsPath));
+            }
+            catch (OperationCanceledException)
+            {
+                // Another load took its place, or the scene ended.
+            }
+            catch (Exception e)
+            {
+                Debug.LogException(e, loader);
+            }
+        }
 
         public bool Equals(StartSource other) =>
             IsSet == other.IsSet && Asset == other.Asset && checksum == other.checksum && IntensityPath == other.IntensityPath && LabelsPath == other.LabelsPath;

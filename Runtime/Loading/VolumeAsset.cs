@@ -154,9 +154,11 @@ namespace AnatomyCarve
         internal ReadOnlyMemory<byte> Open()
         {
             if (data == null)
-                throw new AnatomyCarveException($"{name}: the asset holds no volume. Import its file anew.");
+                throw HoldsNoVolume(name);
             return data.bytes;
         }
+
+        internal static AnatomyCarveException HoldsNoVolume(string name) => new AnatomyCarveException($"{name}: the asset holds no volume. Import its file anew.");
 
         // The fields may be another import's.
         void OnEnable() => histogram = null;

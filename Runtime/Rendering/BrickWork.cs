@@ -14,11 +14,14 @@ namespace AnatomyCarve
         /// <summary>The most bricks, and about the most spheres of bricks, in a batch.</summary>
         public const int BricksPerBatch = 16384, SpheresPerBatch = 1 << 18;
 
+        /// <summary>Spheres of bricks that there is room for at first.</summary>
+        const int FirstSlots = 64;
+
         readonly BrickGrid grid;
         readonly uint[] packed;
         readonly uint[] ranges; // pairs: first, count
         readonly List<int> spheres = new List<int>();
-        int[] slots = new int[64];
+        int[] slots = new int[FirstSlots];
 
         public BrickWork(BrickGrid grid)
         {
@@ -27,6 +30,9 @@ namespace AnatomyCarve
             packed = new uint[capacity];
             ranges = new uint[2 * capacity];
         }
+
+        /// <summary>The bytes of all lists while bricks have no more spheres than there is room for at first.</summary>
+        public static long FirstBytesOf(long bricks) => 3 * sizeof(uint) * Math.Min(bricks, BricksPerBatch) + sizeof(int) * FirstSlots;
 
         /// <summary>Packed bricks.</summary>
         public GraphicsBuffer Bricks { get; private set; }
@@ -96,7 +102,7 @@ namespace AnatomyCarve
                 Bricks = GpuObjects.CreateBuffer("AnatomyCarve bricks", packed.Length, sizeof(uint));
             if (!IsThere(Ranges))
                 Ranges = GpuObjects.CreateBuffer("AnatomyCarve spheres of bricks", packed.Length, 2 * sizeof(uint));
-            int capacity = 64;
+            int capacity = FirstSlots;
             while (capacity < spheres.Count)
                 capacity *= 2;
             if (IsThere(Slots) && Slots.count >= capacity)

@@ -12,8 +12,8 @@ namespace AnatomyCarve
         /// <summary>Bricks along an axis are packed into 10 bits each.</summary>
         public const int MaxVolumeSize = BrickGrid.MaxBricksPerAxis * BrickGrid.BrickSize;
 
-        /// <summary>Of the largest textures: intensities and normals.</summary>
-        const long BytesPerVoxel = 2;
+        /// <summary>The most voxels that a volume may have: textures end at 2 GiB, and the largest (intensities, normals) take two bytes per voxel.</summary>
+        public const long MaxVoxels = int.MaxValue / 2;
 
         /// <summary>What a texture needs that kernels write: LoadStore to be written, Render because the constructor of RenderTexture asks for it.</summary>
         const GraphicsFormatUsage Written = GraphicsFormatUsage.LoadStore | GraphicsFormatUsage.Render;
@@ -43,6 +43,9 @@ namespace AnatomyCarve
             (GraphicsFormat.R32_UInt, Written, "a picture's segments"),
         };
 
+        /// <summary>The most voxels along an axis.</summary>
+        public static int LargestSide => Mathf.Min(SystemInfo.maxTexture3DSize, MaxVolumeSize);
+
         /// <summary>Why a volume cannot be on this device, as a sentence; null where it can.</summary>
         public static string Missing(VolumeGeometry geometry, TextureLayout layout)
         {
@@ -50,13 +53,13 @@ namespace AnatomyCarve
                 ?? MissingFormat(layout == TextureLayout.Portable ? OfPortableVolumes : OfCompactVolumes);
             if (device != null)
                 return device;
-            int largest = Mathf.Min(SystemInfo.maxTexture3DSize, MaxVolumeSize);
+            int largest = LargestSide;
             if (geometry.SizeI > largest || geometry.SizeJ > largest || geometry.SizeK > largest)
                 return $"The volume has {geometry.SizeI} x {geometry.SizeJ} x {geometry.SizeK} voxels; "
                     + $"{SystemInfo.graphicsDeviceName} allows {largest} along an axis.";
-            if (BytesPerVoxel * geometry.VoxelCount > int.MaxValue)
+            if (geometry.VoxelCount > MaxVoxels)
                 return $"The volume has {geometry.SizeI} x {geometry.SizeJ} x {geometry.SizeK} voxels; "
-                    + $"a texture holds {int.MaxValue / BytesPerVoxel} of them at most.";
+                    + $"a texture holds {MaxVoxels} of them at most.";
             return null;
         }
 
@@ -75,7 +78,8 @@ namespace AnatomyCarve
         public static bool LabelsIn8Bits(int segments) =>
             segments <= VolumeTextures.MaxSegmentsIn8Bits && SystemInfo.IsFormatSupported(GraphicsFormat.R8_UInt, GraphicsFormatUsage.Sample);
 
-        static string MissingAtAll()
+        /// <summary>Why no volume can be on this device, as a sentence; null where volumes can.</summary>
+        public static string MissingAtAll()
         {
             if (Application.platform == RuntimePlatform.WebGLPlayer)
                 return "Web players are not supported: they have no threads to read volumes on. Use a desktop or Android player.";

@@ -20,7 +20,7 @@ namespace AnatomyCarve
 
         public LookupTextures(int segmentCount)
         {
-            int rows = (segmentCount + SegmentsPerRow - 1) / SegmentsPerRow;
+            int rows = Rows(segmentCount);
             try
             {
                 TransferFunction = Create("transfer function", OpacityLookup.LastEntry + 1, 1, GraphicsFormat.R32_SFloat);
@@ -33,6 +33,9 @@ namespace AnatomyCarve
                 throw;
             }
         }
+
+        /// <summary>The bytes of both tables for so many segments.</summary>
+        public static long BytesOf(int segmentCount) => 4L * (OpacityLookup.LastEntry + 1) + 16L * SegmentsPerRow * Rows(segmentCount);
 
         public Texture2D TransferFunction { get; }
 
@@ -71,6 +74,8 @@ namespace AnatomyCarve
             GpuObjects.Destroy(TransferFunction);
             GpuObjects.Destroy(SegmentColors);
         }
+
+        static int Rows(int segmentCount) => (segmentCount + SegmentsPerRow - 1) / SegmentsPerRow;
 
         static Texture2D Create(string name, int width, int height, GraphicsFormat format)
         {

@@ -97,14 +97,16 @@ namespace AnatomyCarve
         }
 
         /// <summary>Sum of <see cref="Resources"/> in bytes.</summary>
-        public long BytesResident
+        public long BytesResident => Sum(Resources);
+
+        /// <summary>The part of <see cref="BytesResident"/> that is the volume's, without pictures: what <see cref="MemoryForecast.GpuBytes"/> foretold.</summary>
+        public long VolumeBytesResident
         {
             get
             {
-                long sum = 0;
-                foreach (ResourceSize resource in Resources)
-                    sum += resource.Bytes;
-                return sum;
+                resources.Clear();
+                Source?.AddVolumeSizes(resources);
+                return Sum(resources);
             }
         }
 
@@ -131,6 +133,14 @@ namespace AnatomyCarve
             raymarch = default;
             sphereTestsBefore = sphereTests;
             sphereEntriesBefore = sphereEntries;
+        }
+
+        static long Sum(IReadOnlyList<ResourceSize> sizes)
+        {
+            long sum = 0;
+            foreach (ResourceSize size in sizes)
+                sum += size.Bytes;
+            return sum;
         }
     }
 }

@@ -48,12 +48,9 @@ namespace AnatomyCarve
 
         public bool Exists => Map != null && IsThere(BrickMatter) && IsThere(Occupied) && IsThere(Planes);
 
-        /// <summary>Bytes that a volume's skip structure takes.</summary>
-        public static long BytesFor(BrickGrid bricks)
-        {
-            long y = Cells(bricks.SizeJ), z = Cells(bricks.SizeK);
-            return 8L * bricks.Count + 4 * y * z * (Words(bricks.SizeI) + 2 * Texels(bricks.SizeI));
-        }
+        /// <summary>The bytes of a volume's skip structure.</summary>
+        public static long BytesOf(int sizeI, int sizeJ, int sizeK) => 2 * sizeof(uint) * BrickGrid.CountOf(sizeI, sizeJ, sizeK)
+            + sizeof(uint) * (long)Cells(sizeJ) * Cells(sizeK) * (Words(sizeI) + 2 * Texels(sizeI));
 
         /// <exception cref="Volumes.AnatomyCarveException">The device could not make it.</exception>
         public void Make()
@@ -80,7 +77,7 @@ namespace AnatomyCarve
             return true;
         }
 
-        public void AddSizes(List<ResourceSize> sizes) => sizes.Add(new ResourceSize("AnatomyCarve skip structure", BytesFor(bricks)));
+        public void AddSizes(List<ResourceSize> sizes) => sizes.Add(new ResourceSize("AnatomyCarve skip structure", BytesOf(bricks.SizeI, bricks.SizeJ, bricks.SizeK)));
 
         /// <summary>Follows a change of the matter in bricks.</summary>
         /// <param name="dirty">The numbers of the bricks that AntiAlias wrote; null = all.</param>

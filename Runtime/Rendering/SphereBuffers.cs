@@ -15,17 +15,23 @@ namespace AnatomyCarve
         const string SpheresName = "AnatomyCarve clip spheres";
         const string MaskWordsName = "AnatomyCarve clip masks";
 
+        /// <summary>Spheres that there is room for at first.</summary>
+        const int FirstRows = 16;
+
         readonly SphereIndex index;
         readonly int wordsPerMask;
-        SphereRow[] rows = new SphereRow[16];
+        SphereRow[] rows = new SphereRow[FirstRows];
         uint[] words;
 
         public SphereBuffers(SphereIndex index, int segmentCount)
         {
             this.index = index;
-            wordsPerMask = (segmentCount + 31) / 32;
-            words = new uint[16 * wordsPerMask];
+            wordsPerMask = WordsFor(segmentCount);
+            words = new uint[FirstRows * wordsPerMask];
         }
+
+        /// <summary>The bytes of both buffers while there are no more spheres than there is room for at first.</summary>
+        public static long FirstBytesOf(int segmentCount) => (long)FirstRows * (Marshal.SizeOf<SphereRow>() + sizeof(uint) * WordsFor(segmentCount));
 
         public GraphicsBuffer Spheres { get; private set; }
 
@@ -82,6 +88,8 @@ namespace AnatomyCarve
             rows[slot].MaskOffset = (uint)(slot * wordsPerMask);
             index.MaskOf(slot).CopyWordsTo(words, slot * wordsPerMask);
         }
+
+        static int WordsFor(int segmentCount) => (segmentCount + 31) / 32;
 
         /// <returns>Whether the buffers are new and empty.</returns>
         bool Reserve(int count)

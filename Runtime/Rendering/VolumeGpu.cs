@@ -55,6 +55,9 @@ namespace AnatomyCarve
         /// <summary>Gives cameras' drawing the volume as it is here.</summary>
         public void Bind(VolumeDrawing drawing, RenderQuality quality, LightSettings light) => drawing.Bind(pipeline, quality, light);
 
+        /// <summary>Lists what the volume takes, without pictures.</summary>
+        public void AddVolumeSizes(List<ResourceSize> sizes) => pipeline.AddSizes(sizes);
+
         public void AddSizes(List<ResourceSize> sizes)
         {
             pipeline.AddSizes(sizes);

@@ -6,10 +6,10 @@ namespace AnatomyCarve
     /// <summary>A renderer's segment table for the present volume: the one that a script set, or else what the appearance makes of the volume's.</summary>
     sealed class VolumeSettings
     {
-        readonly WeakReference<SegmentedVolume> setFor = new WeakReference<SegmentedVolume>(null); // a volume is large: none is held that is not shown
+        object setFor; // the volume's origin: a volume is large, none is held that is not shown
         SegmentTable set;
 
-        /// <summary>The table for a volume. The one that was set for another volume is forgotten, and that volume with it.</summary>
+        /// <summary>The table for a volume. The one that was set for another volume is forgotten; a coarser one of the same data is none.</summary>
         public SegmentTable SegmentsFor(SegmentedVolume volume, VolumeAppearance appearance)
         {
             KeepOnly(volume);
@@ -24,15 +24,15 @@ namespace AnatomyCarve
             if (table != null && table.Count != volume.Segments.Count)
                 throw new ArgumentException($"The table has {table.Count} segments, the volume has {volume.Segments.Count}.", nameof(table));
             set = table;
-            setFor.SetTarget(volume);
+            setFor = volume.Origin;
         }
 
         public void KeepOnly(SegmentedVolume volume)
         {
-            if (set == null || (setFor.TryGetTarget(out SegmentedVolume known) && known == volume))
+            if (setFor == volume?.Origin)
                 return;
             set = null;
-            setFor.SetTarget(null);
+            setFor = null;
         }
     }
 }

@@ -16,9 +16,6 @@ namespace AnatomyCarve
         /// <summary>Up to this many segments have their labels in 8 bits.</summary>
         public const int MaxSegmentsIn8Bits = 255;
 
-        /// <summary>Voxels along k that share a texel of the portable layout.</summary>
-        const int OpacitiesPerTexel = 4, NormalsPerTexel = 2;
-
         readonly VolumeGeometry geometry;
 
         public VolumeTextures(SegmentedVolume volume, TextureLayout layout)
@@ -26,20 +23,19 @@ namespace AnatomyCarve
             geometry = volume.Geometry;
             try
             {
-                Intensity = Create("intensity", GraphicsFormat.R16_UInt);
+                Intensity = Create("intensity", VolumeTextureForm.Intensity);
                 Intensity.SetPixelData(volume.Intensity.Codes, 0);
                 Intensity.Apply(false, true);
                 bool small = DeviceSupport.LabelsIn8Bits(volume.Segments.Count);
-                Labels = Create("labels", small ? GraphicsFormat.R8_UInt : GraphicsFormat.R16_UInt);
+                Labels = Create("labels", VolumeTextureForm.Labels(small));
                 if (small)
                     LabelBytes.Narrow(volume.Labels.Indices, Labels.GetPixelData<byte>(0).AsSpan());
                 else
                     Labels.SetPixelData(volume.Labels.Indices, 0);
                 Labels.Apply(false, true);
-                bool packed = layout == TextureLayout.Portable;
-                Opacity = CreateWritable("opacity", packed ? GraphicsFormat.R32_UInt : GraphicsFormat.R8_UNorm, packed ? OpacitiesPerTexel : 1);
-                OpacityAA = CreateWritable("anti-aliased opacity", packed ? GraphicsFormat.R32_UInt : GraphicsFormat.R8_UNorm, packed ? OpacitiesPerTexel : 1);
-                Normals = CreateWritable("normals", packed ? GraphicsFormat.R32_UInt : GraphicsFormat.R8G8_UNorm, packed ? NormalsPerTexel : 1);
+                Opacity = CreateWritable("opacity", VolumeTextureForm.Opacity(layout));
+                OpacityAA = CreateWritable("anti-aliased opacity", VolumeTextureForm.Opacity(layout));
+                Normals = CreateWritable("normals", VolumeTextureForm.Normals(layout));
             }
             catch
             {
@@ -97,8 +93,9 @@ namespace AnatomyCarve
             return true;
         }
 
-        Texture3D Create(string name, GraphicsFormat format)
+        Texture3D Create(string name, VolumeTextureForm form)
         {
+            GraphicsFormat format = form.Format;
             const TextureCreationFlags flags = TextureCreationFlags.DontInitializePixels | TextureCreationFlags.DontUploadUponCreate;
             var texture = new Texture3D(geometry.SizeI, geometry.SizeJ, geometry.SizeK, format, flags);
             if (texture == null)
@@ -111,16 +108,16 @@ namespace AnatomyCarve
             return texture;
         }
 
-        RenderTexture CreateWritable(string name, GraphicsFormat format, int voxelsPerTexel)
+        RenderTexture CreateWritable(string name, VolumeTextureForm form)
         {
-            var descriptor = new RenderTextureDescriptor(geometry.SizeI, geometry.SizeJ, format, 0)
+            var descriptor = new RenderTextureDescriptor(geometry.SizeI, geometry.SizeJ, form.Format, 0)
             {
                 dimension = TextureDimension.Tex3D,
-                volumeDepth = (geometry.SizeK + voxelsPerTexel - 1) / voxelsPerTexel,
+                volumeDepth = form.Depth(geometry.SizeK),
                 enableRandomWrite = true,
                 msaaSamples = 1,
             };
-            return GpuObjects.CreateWritable(descriptor, "AnatomyCarve " + name, voxelsPerTexel == 1 ? FilterMode.Bilinear : FilterMode.Point);
+            return GpuObjects.CreateWritable(descriptor, "AnatomyCarve " + name, form.VoxelsPerTexel == 1 ? FilterMode.Bilinear : FilterMode.Point);
         }
     }
 }

@@ -26,7 +26,7 @@ namespace AnatomyCarve.Tests.Editor
                 Assert.That(lines["Orientation"], Is.EqualTo("LPS. The first axis runs to the patient's left, the second to the back, the third to the head."));
                 Assert.That(lines["Intensities"], Is.EqualTo("-1000.5 to -977.5"));
                 Assert.That(lines["Segments"], Is.EqualTo("4"));
-                Assert.That(lines["Memory"], Is.EqualTo("0.0 MiB"));
+                Assert.That(lines["Memory"], Is.EqualTo("0.0 MiB, on the GPU 0.0 MiB"));
             }
             finally
             {

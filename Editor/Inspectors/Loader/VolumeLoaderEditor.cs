@@ -15,7 +15,7 @@ namespace AnatomyCarve.Editor
         static readonly GUIContent Unload = new GUIContent("Unload", "Lets go of the volume");
         static readonly GUIContent Cancel = new GUIContent("Cancel", "Stops loading; what was there stays");
 
-        SerializedProperty asset, intensityPath, labelsPath, loadOnStart;
+        SerializedProperty asset, intensityPath, labelsPath, loadOnStart, memory;
         VolumeLoader listenedTo;
         SegmentedVolume described;
         IReadOnlyList<(string title, string text)> lines;
@@ -43,6 +43,7 @@ namespace AnatomyCarve.Editor
             intensityPath = serializedObject.FindProperty("intensityPath");
             labelsPath = serializedObject.FindProperty("labelsPath");
             loadOnStart = serializedObject.FindProperty("loadOnStart");
+            memory = serializedObject.FindProperty("memory");
             listenedTo = (VolumeLoader)target;
             listenedTo.Failed += ShowError;
             listenedTo.Loaded += ForgetError;
@@ -67,6 +68,7 @@ namespace AnatomyCarve.Editor
                 PathField.Draw(labelsPath, "Choose the scan's segmentation");
             }
             EditorGUILayout.PropertyField(loadOnStart);
+            EditorGUILayout.PropertyField(memory, true);
         }
 
         void DrawState(VolumeLoader loader)
@@ -90,6 +92,8 @@ namespace AnatomyCarve.Editor
                 lines = VolumeSummary.Of(described = volume);
             foreach ((string title, string text) in lines)
                 EditorGUILayout.LabelField(title, text, EditorStyles.wordWrappedLabel);
+            if (loader.IsCoarse)
+                EditorGUILayout.HelpBox("This is a coarse volume, shown while the whole one loads.", MessageType.Info);
             foreach (string warning in volume.Warnings)
                 EditorGUILayout.HelpBox(warning, MessageType.Warning);
         }

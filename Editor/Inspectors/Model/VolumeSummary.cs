@@ -18,7 +18,8 @@ namespace AnatomyCarve.Editor
             List<(string title, string text)> lines = Lines(
                 new Vector3Int(g.SizeI, g.SizeJ, g.SizeK), g.SpacingMm, g.OrientationCode, AxisDirections.Sentence(g.OrientationCode),
                 volume.Intensity.ValueMin, volume.Intensity.ValueMax, volume.Segments.Count - 1);
-            lines.Add(("Memory", Bytes(sizeof(ushort) * (volume.Intensity.Codes.LongLength + volume.Labels.Indices.LongLength))));
+            MemoryForecast forecast = MemoryForecast.Of(volume);
+            lines.Add(("Memory", Bytes(forecast.CpuBytes) + ", on the GPU " + Bytes(forecast.GpuBytes)));
             return lines;
         }
 

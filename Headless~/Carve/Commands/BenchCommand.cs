@@ -17,9 +17,6 @@ namespace AnatomyCarve.Headless.Cli.Commands
     {
         const int MostRuns = 1000;
         const int MostThreads = 64;
-        const int LongestSide = 2048;
-
-        readonly record struct PhantomSize(int I, int J, int K);
 
         public static Command Create() => new("bench", "Measures: work, errors, and time.")
         {
@@ -34,12 +31,7 @@ namespace AnatomyCarve.Headless.Cli.Commands
                 Arity = ArgumentArity.ZeroOrOne,
             };
             var labels = new Option<string>("--labels") { HelpName = "FILE", Description = "The segmentation on the same grid." };
-            var phantom = new Option<PhantomSize?>("--phantom")
-            {
-                HelpName = "IxJxK",
-                CustomParser = ParseSizes,
-                Description = "Instead of files: a made-up CT of this size with noise and 40 segments, as gzipped NRRD; 441x321x215, for example.",
-            };
+            var phantom = PhantomSize.Option();
             var runs = new Option<int>("--runs") { HelpName = "N", DefaultValueFactory = _ => 7, Description = "How often each way is run; medians are shown." };
             runs.Validators.Add(result => CheckRange(result, runs, 1, MostRuns));
             var threads = new Option<int>("--threads")
@@ -68,7 +60,7 @@ namespace AnatomyCarve.Headless.Cli.Commands
                 var reportPath = parsed.GetValue(report);
                 if (reportPath != null) OutputSet.Check(reportPath);
                 var (scan, segmentation) = parsed.GetValue(phantom) is { } size
-                    ? MakePhantom(size)
+                    ? size.Make()
                     : (ReadContent(parsed.GetValue(volume)), parsed.GetValue(labels) is { } path ? ReadContent(path) : null);
                 int[] counts = [.. new[] { 1, parsed.GetValue(threads) }.Distinct()];
                 var comparison = ProgressBars.Show(configuration.Error, !parsed.GetValue(noProgress), bars => bars.Step("loading",
@@ -78,12 +70,6 @@ namespace AnatomyCarve.Headless.Cli.Commands
                 return Task.FromResult(0);
             });
             return command;
-        }
-
-        static (NamedContent Scan, NamedContent Labels) MakePhantom(PhantomSize size)
-        {
-            var (scan, labels) = CtPhantom.Make(size.I, size.J, size.K);
-            return (new NamedContent("phantom.nrrd", scan), new NamedContent("phantom labels.nrrd", labels));
         }
 
         static NamedContent ReadContent(string path)
@@ -107,19 +93,6 @@ namespace AnatomyCarve.Headless.Cli.Commands
             {
                 result.AddError(string.Create(CultureInfo.InvariantCulture, $"{option.Name} \"{value}\": expected a number from {least} to {most}."));
             }
-        }
-
-        static PhantomSize? ParseSizes(ArgumentResult result)
-        {
-            var text = result.Tokens[0].Value;
-            var sizes = text.Split('x').Select(side => int.TryParse(side, NumberStyles.None, CultureInfo.InvariantCulture, out var number) ? number : 0).ToArray();
-            if (sizes.Length == 3 && sizes.All(side => side is >= 1 and <= LongestSide) && (long)sizes[0] * sizes[1] * sizes[2] <= 1 << 28)
-            {
-                return new PhantomSize(sizes[0], sizes[1], sizes[2]);
-            }
-
-            result.AddError($"--phantom \"{text}\": expected IxJxK with sides from 1 to {LongestSide} and at most 2^28 voxels, for example 441x321x215.");
-            return null;
         }
     }
 }

@@ -6,6 +6,7 @@ using System.IO;
 using System.Linq;
 using System.Threading.Tasks;
 using AnatomyCarve.Carving;
+using AnatomyCarve.Headless.Cli.Bench;
 using AnatomyCarve.Volumes;
 
 namespace AnatomyCarve.Headless.Cli.Commands
@@ -17,7 +18,12 @@ namespace AnatomyCarve.Headless.Cli.Commands
 
         public static Command Create()
         {
-            var volume = new Argument<string>("VOLUME") { Description = "The intensities, CT or MRI: .nii, .nii.gz or .nrrd." };
+            var volume = new Argument<string>("VOLUME")
+            {
+                Description = "The intensities, CT or MRI: .nii, .nii.gz or .nrrd. Or --phantom.",
+                Arity = ArgumentArity.ZeroOrOne,
+            };
+            var phantom = PhantomSize.Option();
             var labels =
                 FileOption("--labels", "The segmentation on the same grid: .seg.nrrd, .nrrd, .nii or .nii.gz. Without it all is one unlabelled segment.");
             var transfer = new Option<string>("--tf")
@@ -80,19 +86,37 @@ namespace AnatomyCarve.Headless.Cli.Commands
                 + "report), 65535 where nothing is visible.", ".pgm");
             var report = FileOption("--report",
                 "Also write a report: visible pixels of each segment, voxels and samples of each stage, memory, times, device (JSON).", ".json");
+            var budget = new Option<int>("--budget")
+            {
+                HelpName = "MIB",
+                Description = "What the volume may take on the GPU; it is made coarser until it fits, with a warning. 0, the default: what the device says.",
+            };
+            budget.Validators.Add(result =>
+            {
+                if (result.GetValue(budget) < 0) result.AddError("--budget: expected 0 or more MiB.");
+            });
             var drawn = new DrawnOptions();
             var noProgress = new Option<bool>("--no-progress") { Description = "No progress bars." };
 
             var command = new Command("render", "Renders a volume, carved, to a PNG. Files are written when all of it is done, or not at all.")
             {
-                volume, labels, transfer, carving, camera, size, quality, cut, antiAliasing, background, output, depth, segments, report, noProgress,
+                volume, labels, transfer, carving, camera, size, quality, cut, antiAliasing, background, output, depth, segments, report, phantom, budget,
+                noProgress,
             };
             drawn.AddTo(command);
+            command.Validators.Add(result =>
+            {
+                var isPhantom = result.GetResult(phantom) != null;
+                if (result.GetValue(volume) == null == !isPhantom) result.AddError("render: expected either a VOLUME or --phantom.");
+                if (isPhantom && result.GetValue(labels) != null) result.AddError("--labels: the phantom has its own.");
+            });
             command.SetAction((parsed, cancellation) =>
             {
                 var request = new RenderRequest
                 {
                     VolumePath = parsed.GetValue(volume),
+                    Phantom = parsed.GetValue(phantom),
+                    BudgetMiB = parsed.GetValue(budget),
                     LabelsPath = parsed.GetValue(labels),
                     TransferFunctionText = parsed.GetValue(transfer),
                     CarvingPath = parsed.GetValue(carving),

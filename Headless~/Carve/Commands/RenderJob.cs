@@ -31,7 +31,7 @@ namespace AnatomyCarve.Headless.Cli.Commands
                 ProgressBars.Show(error, showProgress, bars =>
                 {
                     using var scene = bars.Step("starting", _ => times.Measure("start", () => new RenderScene(request.Project, warnings)));
-                    bars.Step("reading", progress => times.Measure("read", () => scene.Load(request.VolumePath, request.LabelsPath, progress, cancellation)));
+                    bars.Step("reading", progress => times.Measure("read", () => scene.Load(request, progress, cancellation)));
                     var camera = exactCamera ?? PerspectiveCamera.Around(scene.Loader.Volume.Geometry, orbit, request.Size);
                     Render(request, scene, camera, transferFunction, warnings, bars, times, cancellation);
                     return true;

@@ -24,7 +24,7 @@ namespace AnatomyCarve.Headless.Cli.Commands
             var statistics = scene.Renderer.Statistics;
             return new JsonObject
             {
-                ["volume"] = request.VolumePath,
+                ["volume"] = request.Phantom is { } phantom ? $"phantom {phantom}" : request.VolumePath,
                 ["labels"] = request.LabelsPath,
                 ["carving"] = request.CarvingPath,
                 ["spheres"] = scene.Stack.Carving.Spheres.Count,
@@ -60,6 +60,7 @@ namespace AnatomyCarve.Headless.Cli.Commands
                         ["rays"] = statistics.Raymarch.Elements,
                         ["samples"] = samples < 0 ? null : samples,
                     }),
+                ["memory"] = Memory(scene),
                 ["bytesResident"] = statistics.BytesResident,
                 ["resources"] = new JsonArray(statistics.Resources
                     .Select(resource => (JsonNode)new JsonObject { ["name"] = resource.Name, ["bytes"] = resource.Bytes }).ToArray()),
@@ -70,6 +71,29 @@ namespace AnatomyCarve.Headless.Cli.Commands
                     ["type"] = SystemInfo.graphicsDeviceType.ToString(),
                     ["version"] = SystemInfo.graphicsDeviceVersion,
                     ["kernelCompiler"] = request.Project.KernelCompiler.ToString().ToLowerInvariant(),
+                },
+            };
+        }
+
+        // Resident without the picture; forecast = as the file is, before anything was made coarser.
+        static JsonObject Memory(RenderScene scene)
+        {
+            var geometry = scene.Loader.Volume.Geometry;
+            var resident = scene.Renderer.Statistics.VolumeBytesResident;
+            return new JsonObject
+            {
+                ["voxels"] = new JsonArray(geometry.SizeI, geometry.SizeJ, geometry.SizeK),
+                ["layout"] = scene.Renderer.Statistics.Layout.ToString().ToLowerInvariant(),
+                ["gpuBytes"] = resident,
+                ["gpuBytesPerVoxel"] = System.Math.Round((double)resident / geometry.VoxelCount, 4),
+                ["cpuBytes"] = MemoryForecast.Of(scene.Loader.Volume).CpuBytes,
+                ["forecast"] = new JsonObject
+                {
+                    ["sentence"] = scene.Forecast.ToString(),
+                    ["gpuBytes"] = scene.Forecast.GpuBytes,
+                    ["gpuBytesPerVoxel"] = System.Math.Round(scene.Forecast.GpuBytesPerVoxel, 4),
+                    ["cpuBytes"] = scene.Forecast.CpuBytes,
+                    ["cpuPeakBytes"] = scene.Forecast.CpuPeakBytes,
                 },
             };
         }

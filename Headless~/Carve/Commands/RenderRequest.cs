@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
 using AnatomyCarve.Carving;
+using AnatomyCarve.Headless.Cli.Bench;
 using AnatomyCarve.Volumes;
 
 namespace AnatomyCarve.Headless.Cli.Commands
@@ -8,7 +9,13 @@ namespace AnatomyCarve.Headless.Cli.Commands
     /// <summary>What a rendering is made of and where it goes; null where the user left something out.</summary>
     sealed record RenderRequest
     {
-        public required string VolumePath { get; init; }
+        public string VolumePath { get; init; }
+
+        /// <summary>Instead of files.</summary>
+        public PhantomSize? Phantom { get; init; }
+
+        /// <summary>MiB on the GPU; 0 = as the device says.</summary>
+        public int BudgetMiB { get; init; }
 
         public string LabelsPath { get; init; }
 

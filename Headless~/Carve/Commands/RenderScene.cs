@@ -1,6 +1,9 @@
 using System;
 using System.IO;
 using System.Threading;
+using System.Threading.Tasks;
+using AnatomyCarve.Headless.Cli.Bench;
+using AnatomyCarve.Volumes;
 using UnityEngine;
 
 namespace AnatomyCarve.Headless.Cli.Commands
@@ -32,10 +35,16 @@ namespace AnatomyCarve.Headless.Cli.Commands
 
         public CarvedVolumeRenderer Renderer { get; }
 
-        /// <summary>Reads the files while the host's frames go on.</summary>
-        public void Load(string volumePath, string labelsPath, IProgress<float> progress, CancellationToken cancellation)
+        /// <summary>What the volume was said to take, before it was loaded.</summary>
+        public MemoryForecast Forecast { get; private set; }
+
+        /// <summary>Reads the volume while the host's frames go on.</summary>
+        public void Load(RenderRequest request, IProgress<float> progress, CancellationToken cancellation)
         {
-            var load = Loader.LoadAsync(Path.GetFullPath(volumePath), labelsPath == null ? null : Path.GetFullPath(labelsPath), cancellation, progress);
+            Loader.Memory.BudgetMiB = request.BudgetMiB;
+            Loader.Forecast += forecast => Forecast = forecast;
+            var load = request.Phantom is { } phantom ? LoadAsync(phantom, progress, cancellation) : Loader.LoadAsync(
+                Path.GetFullPath(request.VolumePath), request.LabelsPath == null ? null : Path.GetFullPath(request.LabelsPath), cancellation, progress);
             while (!load.IsCompleted)
             {
                 host.Step();
@@ -43,6 +52,12 @@ namespace AnatomyCarve.Headless.Cli.Commands
             }
 
             load.GetAwaiter().GetResult();
+        }
+
+        Task<SegmentedVolume> LoadAsync(PhantomSize phantom, IProgress<float> progress, CancellationToken cancellation)
+        {
+            var (scan, labels) = phantom.Make();
+            return Loader.LoadAsync(scan.Bytes, labels.Bytes, "phantom", cancellation, progress);
         }
 
         /// <summary>Fails if anything was logged as an error: a picture made in spite of it is not to be trusted.</summary>

@@ -23,8 +23,8 @@ namespace AnatomyCarve.Headless.Tests.CommandLine
             foreach (var option in new[]
             {
                 "--labels", "--tf", "--carving", "--camera", "--size", "--quality", "--cut", "--anti-aliasing", "--background", "--output",
-                "--depth", "--segments", "--report", "--no-progress", "--drawn", "--drawn-depth", "--pipeline", "--color-space", "--layout", "--stereo",
-                "--compiler",
+                "--depth", "--segments", "--report", "--no-progress", "--drawn", "--drawn-depth", "--pipeline", "--color-space", "--layout", "--stereo", "--phantom",
+                "--budget", "--compiler",
             })
                 Assert.That(result.Output, Does.Match($@"(?m)^\s+{option}\b.*\s\w+"), option);
             Assert.That(result.Output, Does.Contain("AZIMUTH,ELEVATION"));

@@ -66,6 +66,13 @@ namespace AnatomyCarve.Carving
         /// <summary>The number of bricks.</summary>
         public int Count { get; }
 
+        /// <summary>The number of bricks of a volume, whatever its size.</summary>
+        /// <param name="sizeI">Voxels along i; likewise j and k.</param>
+        /// <param name="sizeJ">Voxels along j.</param>
+        /// <param name="sizeK">Voxels along k.</param>
+        public static long CountOf(int sizeI, int sizeJ, int sizeK) =>
+            (sizeI + BrickSize - 1L) / BrickSize * ((sizeJ + BrickSize - 1L) / BrickSize) * ((sizeK + BrickSize - 1L) / BrickSize);
+
         /// <summary>A brick as the kernels take it: x | y &lt;&lt; 10 | z &lt;&lt; 20.</summary>
         public static uint Pack(int x, int y, int z) => (uint)x | ((uint)y << AxisBits) | ((uint)z << (2 * AxisBits));
 

@@ -52,26 +52,50 @@ namespace AnatomyCarve.Formats
             }
         }
 
+        /// <summary>What the header says, whether or not the voxels are there.</summary>
+        internal static VolumeFileInfo ReadInfo(Stream stream, ReadContext context)
+        {
+            bool compressed = GzipData.StartsAt(stream);
+            try
+            {
+                using (Stream inflated = compressed ? GzipData.Open(stream) : null)
+                {
+                    NiftiHeader header = ReadHeader(inflated ?? stream, context);
+                    Grid grid = ReadGrid(header, context);
+                    Count(grid.Geometry, grid.Components, context);
+                    return new VolumeFileInfo(grid.Geometry, grid.Type, grid.Components, compressed, context.Description);
+                }
+            }
+            catch (InvalidDataException problem)
+            {
+                throw GzipData.Damaged(context, problem);
+            }
+        }
+
         static VolumeData Read(Stream stream, long largestSize, bool compressed, ReadContext context)
         {
             NiftiHeader header = ReadHeader(stream, context);
+            Grid grid = ReadGrid(header, context);
+            (double slope, double intercept) = grid.Channels > 1 ? (1, 0) : Scaling(header, context);
+            long offset = VoxelOffset(header, context);
+            if (offset > largestSize || !VolumeFile.Skip(stream, offset - NiftiHeader.Size, context))
+                throw context.Refusal("vox_offset", $"{offset}", "a place inside the file");
+            Array voxels = VoxelBlocks.Read(
+                stream, grid.Type, Count(grid.Geometry, grid.Components, context), header.BigEndian, largestSize - offset, !compressed, context);
+            if (compressed)
+                GzipData.CheckEnd(stream, context);
+            bool isSeries = grid.Channels == 1 && header.Dim(0) > 3;
+            ComponentOrder order = isSeries ? ComponentOrder.Slowest : ComponentOrder.Fastest;
+            return new VolumeData(grid.Geometry, voxels, (int)grid.Components, order, slope, intercept, context.Description);
+        }
+
+        static Grid ReadGrid(NiftiHeader header, ReadContext context)
+        {
             int[] sizes = Sizes(header, context, out long volumes);
             (VoxelType type, int channels) = NumberType(header, context);
             if (channels > 1 && volumes > 1)
                 throw context.Refusal("dim", $"{volumes} volumes of colours", "one volume where voxels are colours");
-            VolumeGeometry geometry = NiftiGeometry.Of(header, sizes, context);
-            (double slope, double intercept) = channels > 1 ? (1, 0) : Scaling(header, context);
-            long offset = VoxelOffset(header, context);
-            if (offset > largestSize || !VolumeFile.Skip(stream, offset - NiftiHeader.Size, context))
-                throw context.Refusal("vox_offset", $"{offset}", "a place inside the file");
-            long components = Math.Max(channels, volumes);
-            Array voxels = VoxelBlocks.Read(
-                stream, type, Count(geometry, components, context), header.BigEndian, largestSize - offset, !compressed, context);
-            if (compressed)
-                GzipData.CheckEnd(stream, context);
-            bool isSeries = channels == 1 && header.Dim(0) > 3;
-            ComponentOrder order = isSeries ? ComponentOrder.Slowest : ComponentOrder.Fastest;
-            return new VolumeData(geometry, voxels, (int)components, order, slope, intercept, context.Description);
+            return new Grid { Geometry = NiftiGeometry.Of(header, sizes, context), Type = type, Channels = channels, Components = Math.Max(channels, volumes) };
         }
 
         static NiftiHeader ReadHeader(Stream stream, ReadContext context)
@@ -171,6 +195,14 @@ namespace AnatomyCarve.Formats
             foreach (char letter in magic.TrimEnd('\0'))
                 text.Append(letter >= ' ' && letter < '\u007F' ? letter : '?');
             return text.ToString();
+        }
+
+        struct Grid
+        {
+            internal VolumeGeometry Geometry;
+            internal VoxelType Type;
+            internal int Channels;
+            internal long Components;
         }
     }
 }

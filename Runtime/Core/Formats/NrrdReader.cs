@@ -33,14 +33,37 @@ namespace AnatomyCarve.Formats
         {
             VolumeFile.CheckStream(stream);
             var context = new ReadContext(name, "NRRD", cancellation, progress);
+            Grid grid = ReadGrid(stream, context);
+            Array voxels = NrrdVoxels.Read(stream, grid.Header, grid.Type, grid.Axes.Count, context);
+            SlicerSegments.AddTo(context, grid.Axes.Components);
+            return new VolumeData(grid.Geometry, voxels, (int)grid.Axes.Components, grid.Axes.Order, description: context.Description);
+        }
+
+        /// <summary>What the header says, whether or not the voxels are there.</summary>
+        internal static VolumeFileInfo ReadInfo(Stream stream, ReadContext context)
+        {
+            Grid grid = ReadGrid(stream, context);
+            SlicerSegments.AddTo(context, grid.Axes.Components);
+            string encoding = grid.Header.Require("encoding");
+            return new VolumeFileInfo(
+                grid.Geometry, grid.Type, grid.Axes.Components, !encoding.Equals("raw", StringComparison.OrdinalIgnoreCase), context.Description);
+        }
+
+        static Grid ReadGrid(Stream stream, ReadContext context)
+        {
             NrrdHeader header = NrrdHeader.Read(stream, context);
             VoxelType type = NrrdType.Of(header, context);
             List<VectorMm?> directions = NrrdGeometry.Directions(header, context);
             NrrdAxes axes = NrrdAxes.Of(header, directions, context);
-            VolumeGeometry geometry = NrrdGeometry.Of(header, axes, directions, context);
-            Array voxels = NrrdVoxels.Read(stream, header, type, axes.Count, context);
-            SlicerSegments.AddTo(context, axes.Components);
-            return new VolumeData(geometry, voxels, (int)axes.Components, axes.Order, description: context.Description);
+            return new Grid { Header = header, Type = type, Axes = axes, Geometry = NrrdGeometry.Of(header, axes, directions, context) };
+        }
+
+        struct Grid
+        {
+            internal NrrdHeader Header;
+            internal VoxelType Type;
+            internal NrrdAxes Axes;
+            internal VolumeGeometry Geometry;
         }
     }
 }

@@ -30,14 +30,52 @@ namespace AnatomyCarve.Formats
         /// <exception cref="OperationCanceledException">The token was cancelled.</exception>
         public static VolumeData Read(Stream stream, string name, CancellationToken cancellation = default, IProgress<float> progress = null)
         {
-            VolumeFile.CheckStream(stream);
-            byte[] start = Start(stream, name);
-            switch (Recognise(start))
+            switch (FormatOf(stream, name))
             {
                 case Content.Nrrd:
                     return NrrdReader.Read(stream, name, cancellation, progress);
-                case Content.Nifti:
+                default:
                     return NiftiReader.Read(stream, name, cancellation, progress);
+            }
+        }
+
+        /// <summary>Reads what a file's header says, without its voxels.</summary>
+        /// <param name="path">The file.</param>
+        /// <exception cref="VolumeFormatException">The header can't be read; says what stands where, and what was expected.</exception>
+        public static VolumeFileInfo ReadInfo(string path) => VolumeFile.Read(path, stream => ReadInfo(stream, path));
+
+        /// <summary>Reads what the header of a file's content says, without its voxels.</summary>
+        /// <param name="content">All bytes of the file.</param>
+        /// <param name="name">What messages call it.</param>
+        /// <exception cref="VolumeFormatException">The header can't be read; says what stands where, and what was expected.</exception>
+        public static VolumeFileInfo ReadInfo(ReadOnlyMemory<byte> content, string name)
+        {
+            using (var stream = new MemoryContentStream(content))
+                return ReadInfo(stream, name);
+        }
+
+        static VolumeFileInfo ReadInfo(Stream stream, string name)
+        {
+            switch (FormatOf(stream, name))
+            {
+                case Content.Nrrd:
+                    return NrrdReader.ReadInfo(stream, new ReadContext(name, "NRRD", default, null));
+                default:
+                    return NiftiReader.ReadInfo(stream, new ReadContext(name, "NIfTI-1", default, null));
+            }
+        }
+
+        /// <summary>NRRD or NIfTI; refuses everything else.</summary>
+        static Content FormatOf(Stream stream, string name)
+        {
+            VolumeFile.CheckStream(stream);
+            byte[] start = Start(stream, name);
+            Content content = Recognise(start);
+            switch (content)
+            {
+                case Content.Nrrd:
+                case Content.Nifti:
+                    return content;
                 case Content.MetaImage:
                     throw new VolumeFormatException(name, "the format", "MetaImage", "NIfTI-1 or NRRD: MetaImage is not read yet");
                 case Content.Dicom:

@@ -32,6 +32,10 @@ namespace AnatomyCarve.Formats
         /// <param name="name">What messages call it.</param>
         public static VolumeSource OfContent(ReadOnlyMemory<byte> content, string name) => new VolumeSource(name, content);
 
+        /// <summary>Reads what its header says, without the voxels.</summary>
+        /// <exception cref="VolumeFormatException">The header cannot be read.</exception>
+        public VolumeFileInfo ReadInfo() => content is ReadOnlyMemory<byte> bytes ? VolumeReader.ReadInfo(bytes, Name) : VolumeReader.ReadInfo(Name);
+
         /// <summary>Reads it, in whichever format its content shows.</summary>
         /// <exception cref="VolumeFormatException">It cannot be read.</exception>
         public VolumeData Read(CancellationToken cancellationToken, IProgress<float> progress) => content is ReadOnlyMemory<byte> bytes

@@ -33,12 +33,23 @@ namespace AnatomyCarve.Volumes
         }
 
         /// <summary>The same, with what was computed from the intensities before.</summary>
+        /// <param name="histogram">Null = it is computed when it is first asked for.</param>
+        /// <param name="origin">See <see cref="Origin"/>.</param>
         internal SegmentedVolume(
-            IntensityVolume intensity, LabelMap labels, IEnumerable<string> warnings, OpacityTransferFunction automatic, IntensityHistogram histogram)
+            IntensityVolume intensity, LabelMap labels, IEnumerable<string> warnings, OpacityTransferFunction automatic, IntensityHistogram histogram,
+            object origin)
             : this(intensity, labels, warnings)
         {
             this.automatic = new Lazy<OpacityTransferFunction>(automatic);
-            this.histogram = new Lazy<IntensityHistogram>(histogram);
+            if (histogram != null)
+                this.histogram = new Lazy<IntensityHistogram>(histogram);
+            Origin = origin;
+        }
+
+        SegmentedVolume(SegmentedVolume other, string[] warnings)
+        {
+            (Intensity, Labels, Warnings, Origin) = (other.Intensity, other.Labels, warnings, other.Origin);
+            (automatic, histogram, blocks) = (other.automatic, other.histogram, other.blocks);
         }
 
         /// <summary>The scan.</summary>
@@ -52,6 +63,12 @@ namespace AnatomyCarve.Volumes
 
         /// <summary>Where the voxels lie: the scan's grid.</summary>
         public VolumeGeometry Geometry => Intensity.Geometry;
+
+        /// <summary>
+        /// The same object for a volume and for those that were made coarser of the same data: what was carved in one holds in the other, as they have the same
+        /// segments in the same place. It holds nothing and says nothing else.
+        /// </summary>
+        public object Origin { get; } = new object();
 
         /// <summary>What was odd while the volume was made, a sentence each; where it comes from files, each starts with the file's name.</summary>
         public IReadOnlyList<string> Warnings { get; }
@@ -73,6 +90,12 @@ namespace AnatomyCarve.Volumes
         /// before it publishes a volume.
         /// </summary>
         public BlockContents Blocks => blocks.Value;
+
+        /// <summary>The same volume with one more warning.</summary>
+        /// <param name="warning">A sentence.</param>
+        /// <exception cref="ArgumentNullException"><paramref name="warning"/> is null.</exception>
+        public SegmentedVolume WithWarning(string warning) => new SegmentedVolume(
+            this, Warnings.Append(warning ?? throw new ArgumentNullException(nameof(warning))).ToArray());
 
         /// <summary>A scan without a segmentation: every voxel has label 0.</summary>
         /// <param name="intensity">The scan.</param>

@@ -29,6 +29,37 @@ namespace AnatomyCarve.Tests.Formats
             Assert.That(VolumeReader.CanRead(File.ReadAllBytes(path)), Is.EqualTo(VolumeReader.CanRead(path)));
         }
 
+        [TestCaseSource(nameof(Files))]
+        public void Header_SaysWhatReadingFinds(string file)
+        {
+            string path = SharedData.PathOf("readers/" + file);
+            VolumeData data;
+            VolumeFileInfo info;
+            try
+            {
+                info = VolumeReader.ReadInfo(path);
+                data = VolumeReader.Read(path);
+            }
+            catch (VolumeFormatException refusal)
+            {
+                Assert.That(Described(() => VolumeReader.Read(path))["refusal"]?.ToString(), Is.EqualTo(refusal.Message), "the header is refused as the file is");
+                return;
+            }
+
+            Assert.That(info.Geometry.Matches(data.Geometry, 0, out string difference), Is.True, difference);
+            Assert.That((info.VoxelType, (int)info.Components, info.Format, info.Source), Is.EqualTo((data.VoxelType, data.Components, data.Format, data.Source)));
+            Assert.That(info.Segments.Select(segment => segment.Name), Is.EqualTo(data.Segments.Select(segment => segment.Name)));
+            Assert.That(info.StoredBytes, Is.EqualTo(data.Voxels.LongLength * data.VoxelType.SizeOf()));
+            Assert.That(VolumeReader.ReadInfo(File.ReadAllBytes(path), path).IsCompressed, Is.EqualTo(info.IsCompressed));
+        }
+
+        [Test]
+        public void Header_OfMoreVoxelsThanThereAre_IsReadAllTheSame()
+        {
+            byte[] file = new NrrdFile(new byte[] { 5, 6, 7 }, 3, 1, 1) { ["sizes"] = "1000 1000 1000" }.ToBytes();
+            Assert.That(VolumeReader.ReadInfo(file, Name).StoredBytes, Is.EqualTo(1e9));
+        }
+
         [Test]
         public void Memory_OfAnyKind_IsRead([Values("raw", "gzip", "hex", "ascii")] string encoding)
         {

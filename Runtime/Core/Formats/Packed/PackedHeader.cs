@@ -42,12 +42,22 @@ namespace AnatomyCarve.Formats
 
         internal IReadOnlyList<PackedBlock> LabelBlocks { get; set; }
 
+        /// <summary>What volumes of this header share; see <see cref="SegmentedVolume.Origin"/>.</summary>
+        internal object Origin { get; } = new object();
+
         /// <summary>The volume of this header and its voxels.</summary>
         internal SegmentedVolume MakeVolume(ushort[] codes, ushort[] indices)
         {
             var intensity = new IntensityVolume(Info.Geometry, codes, Info.CodeOffset, Info.CodeScale, Info.ValueMax, IntensityWarnings);
             var labels = new LabelMap(Info.LabelGeometry, indices, Segments, VoxelCounts, LabelWarnings);
-            return new SegmentedVolume(intensity, labels, Warnings, Automatic, Histogram);
+            return new SegmentedVolume(intensity, labels, Warnings, Automatic, Histogram, Origin);
+        }
+
+        /// <summary>A coarser volume of this header.</summary>
+        internal SegmentedVolume MakeVolume(VolumeGeometry coarse, ushort[] codes, ushort[] indices)
+        {
+            var intensity = new IntensityVolume(coarse, codes, Info.CodeOffset, Info.CodeScale, Info.ValueMax, IntensityWarnings);
+            return new SegmentedVolume(intensity, new LabelMap(coarse, indices, Segments, LabelWarnings), Warnings, Automatic, null, Origin);
         }
     }
 }

@@ -46,7 +46,13 @@ namespace AnatomyCarve.Formats
         /// <param name="name">What messages call it.</param>
         /// <exception cref="VolumeFormatException">It is no packed volume, of another version, cut off, or its header damaged.</exception>
         public static PackedVolumeInfo ReadInfo(ReadOnlyMemory<byte> data, string name) =>
-            PackedHeaderReader.ReadInfo(data, new ReadContext(name, Format, default, null));
+            PackedHeaderReader.ReadInfo(data, Context(name));
+
+        /// <summary>Reads the header, for whoever wants to know before unpacking, or a coarser volume first.</summary>
+        /// <param name="data">All bytes of it. They must not change as long as the reader is used.</param>
+        /// <param name="name">What messages call it.</param>
+        /// <exception cref="VolumeFormatException">It is no packed volume, of another version, cut off, or its header damaged.</exception>
+        public static PackedVolumeReader Open(ReadOnlyMemory<byte> data, string name) => new PackedVolumeReader(data, name);
 
         /// <summary>
         /// Unpacks a volume, on the calling thread and up to three more: all processors but one, at most four. No thread looks at the bytes any more
@@ -76,7 +82,11 @@ namespace AnatomyCarve.Formats
         {
             if (threads < 1)
                 throw new ArgumentOutOfRangeException(nameof(threads), threads, "At least one thread has to work.");
-            return new PackedVolumeReader(data, new ReadContext(name, Format, cancellation, progress)).Read(threads);
+            cancellation.ThrowIfCancellationRequested();
+            return Open(data, name).Read(threads, cancellation, progress);
         }
+
+        /// <summary>What refusals are made with.</summary>
+        internal static ReadContext Context(string name) => new ReadContext(name, Format, default, null);
     }
 }

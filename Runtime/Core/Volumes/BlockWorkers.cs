@@ -3,7 +3,7 @@ using System.Runtime.ExceptionServices;
 using System.Threading;
 using System.Threading.Tasks;
 
-namespace AnatomyCarve.Formats
+namespace AnatomyCarve.Volumes
 {
     /// <summary>
     /// Shares numbered pieces of work among the calling thread and a few of the pool's. The caller works too and never waits for a thread that has not
