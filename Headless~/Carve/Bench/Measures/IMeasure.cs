@@ -19,7 +19,26 @@ namespace AnatomyCarve.Headless.Cli.Bench.Measures
     /// <param name="Unit">unit of all its values: "%", "voxels", "degrees", "new/old", ...</param>
     /// <param name="Goals">the goal of each value, in the values' order</param>
     /// <param name="AtLeast">whether values are to be the goal at least; otherwise at most</param>
-    sealed record Quantity(string Id, string What, string Unit, double[] Goals, bool AtLeast = false);
+    sealed record Quantity(string Id, string What, string Unit, double[] Goals, bool AtLeast = false)
+    {
+        /// <summary>Which of the values are to be their goals at least, where they differ in that; null = all as AtLeast says.</summary>
+        public bool[] AtLeastEach { get; init; }
+
+        /// <summary>Whether a value is to be its goal at least; otherwise at most.</summary>
+        public bool IsAtLeast(int value) => AtLeastEach?[value] ?? AtLeast;
+
+        /// <summary>Whether all values reach their goals.</summary>
+        public bool Holds(double[] values)
+        {
+            for (var value = 0; value < Goals.Length; value++)
+            {
+                // Written so that NaN does not hold.
+                if (!(IsAtLeast(value) ? values[value] >= Goals[value] : values[value] <= Goals[value])) return false;
+            }
+
+            return true;
+        }
+    }
 
     /// <summary>What was found.</summary>
     /// <param name="Values">one number per goal; null = it was not measured</param>
