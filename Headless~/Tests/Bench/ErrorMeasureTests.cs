@@ -24,7 +24,7 @@ namespace AnatomyCarve.Headless.Tests.Bench
 
         // Goal 1. What is left of the light is 1/255, and a highlight is brighter than 1.
         [Test]
-        public void P12_EarlyTermination_CostsNoCode() => Check(new TerminationError(), 1.3); // 1.25
+        public void P12_EarlyTermination_CostsNoCode() => Check(new TerminationError(96), 1.3); // 1.25
 
         [Test]
         public void P16_StoredNormals_AreNearTheirDirections() => Check(new StoredNormals()); // 0.333, 0.909
@@ -34,15 +34,18 @@ namespace AnatomyCarve.Headless.Tests.Bench
 
         // Goal 0.1 voxel of depth.
         [Test]
-        public void P28_SphereCuts_AreNearTheSphere() => Check(new SphereCut(), 1.6, 4, 0.25); // 0.50, 2.88, 0.246
+        public void P28_SphereCuts_AreNearTheSphere() => Check(new SphereCut(64), 1.6, 4, 0.25); // 0.50, 2.88, 0.246
 
         // Goals 1.3, 4.5, 90. It is a vessel two voxels wide along an axis that loses its opacity.
         [Test]
-        public void P34_LabelSurfaces_AreNearTheBalls() => Check(new LabelSurfaces(), 2.75, 8.6, 24.5); // 2.70, 8.52, 24.7
+        public void P34_LabelSurfaces_AreNearTheBalls() => Check(new LabelSurfaces(64), 2.75, 8.6, 24.5); // 2.70, 8.52, 24.7
 
         // Goal 0 with the GPU's filter as well.
         [Test]
         public void P30_Pointer_FindsWhatIsShown() => Check(new PointerAgreement(96), 0, 6); // 0, 5
+
+        [Test]
+        public void P29_DefaultPicture_IsNearTheConvergedOne() => Check(new ConvergedPicture(96), 43, 0.99, 4.2, 1.6); // 43.9, 0.998, 3.93, 1.53
 
         /// <param name="measure">what is measured</param>
         /// <param name="limits">none = the goals</param>

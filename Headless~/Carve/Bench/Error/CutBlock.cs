@@ -24,7 +24,6 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
     /// <summary>An opaque block whose front face has a clip sphere's half in it, seen from the front and aslant.</summary>
     sealed class CutBlock
     {
-        const int PictureSize = 128;
         const double MarginVoxels = 3;
         static readonly double MostSlanted = Math.Cos(70 * Math.PI / 180);
         static readonly VectorMm[] Views = [new VectorMm(0, 0, 1), new VectorMm(0.35, -0.25, 1).Normalized()];
@@ -44,7 +43,8 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
             sphere = new Ball(new PointMm(0.31, -0.17, faceZ), radiusMm);
         }
 
-        public CutErrors Measure(BenchStage stage, RenderQuality quality)
+        /// <param name="pictureSize">of the pictures that are looked at, pixels along a side</param>
+        public CutErrors Measure(BenchStage stage, RenderQuality quality, int pictureSize)
         {
             stage.Show(PhantomVolumes.OfSegments(geometry, 1, place => place.Z > faceZ ? 1 : 0));
             stage.Renderer.TransferFunction = PhantomVolumes.Everything;
@@ -55,11 +55,11 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
             int seenPixels = 0, missing = 0;
             foreach (var view in Views)
             {
-                var rays = ParallelViews.Along(view, sphere.Centre, 2 * sphere.RadiusMm, PictureSize, 3 * sphere.RadiusMm);
+                var rays = ParallelViews.Along(view, sphere.Centre, 2 * sphere.RadiusMm, pictureSize, 3 * sphere.RadiusMm);
                 var seen = SeenNormals.Look(stage.Renderer, rays);
-                for (var pixel = 0; pixel < PictureSize * PictureSize; pixel++)
+                for (var pixel = 0; pixel < pictureSize * pictureSize; pixel++)
                 {
-                    var ray = rays.RayThroughPixel(pixel % PictureSize, pixel / PictureSize);
+                    var ray = rays.RayThroughPixel(pixel % pictureSize, pixel / pictureSize);
                     if (!MeetsCut(ray, out var depthMm)) continue;
                     normals.Add(seen.Normals[pixel], -sphere.NormalAt(ray.At(depthMm)));
                     if (!seen.Shows(pixel))

@@ -12,14 +12,18 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
     /// at the default quality; their normals as seen against the balls' own, where these lie within 70 degrees of the view. Smoothing must not
     /// cost thin structures their opacity: plates and vessels of two voxels' thickness keep at least 90 % of it.
     /// </summary>
-    sealed class LabelSurfaces : IMeasure
+    sealed class LabelSurfaces(int pictureSize) : IMeasure
     {
-        const int PictureSize = 128;
+        const int DefaultPictureSize = 128;
         static readonly double MostSlanted = Math.Cos(70 * Math.PI / 180);
         static readonly Ball[] Balls =
         [
             new(new PointMm(0.21, -0.34, 0.13), 8), new(new PointMm(-0.42, 0.27, 0.36), 20), new(new PointMm(0.08, 0.45, -0.29), 28),
         ];
+
+        public LabelSurfaces() : this(DefaultPictureSize)
+        {
+        }
 
         public Quantity Quantity { get; } = new(
             "P34", "a label map's surface: seen normals, mean and 99th percentile; opacity that thin structures keep", "degrees, degrees, %", [1.3, 4.5, 90])
@@ -30,11 +34,12 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
         public Outcome Run(MeasureContext context)
         {
             var all = new AngleErrors();
-            var settings = new JsonObject { ["spacingMm"] = 1, ["views"] = ParallelViews.Directions.Length, ["pixels"] = PictureSize * PictureSize };
+            var settings = new JsonObject { ["spacingMm"] = 1, ["views"] = ParallelViews.Directions.Length, ["pixels"] = pictureSize * pictureSize };
             foreach (var ball in Balls)
             {
                 var errors = MeasureBall(context.Stage, ball);
                 all.Add(errors);
+                context.Cancellation.ThrowIfCancellationRequested();
                 settings[$"radius {ball.RadiusMm}"] = errors.ToJson();
             }
 
@@ -45,7 +50,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
             return new Outcome([all.Mean, all.Percentile99, kept.Min(structure => (double)structure.Value)], "voxelised balls", settings);
         }
 
-        static AngleErrors MeasureBall(BenchStage stage, Ball ball)
+        AngleErrors MeasureBall(BenchStage stage, Ball ball)
         {
             var size = (int)(2 * ball.RadiusMm) + 12;
             stage.Show(PhantomVolumes.OfSegments(Grids.Centred(size, size, size), 1, place => ball.Holds(place) ? 1 : 0));
@@ -53,11 +58,11 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
             var errors = new AngleErrors();
             foreach (var direction in ParallelViews.Directions)
             {
-                var rays = ParallelViews.Along(direction, ball.Centre, 2 * ball.RadiusMm, PictureSize, 3 * ball.RadiusMm);
+                var rays = ParallelViews.Along(direction, ball.Centre, 2 * ball.RadiusMm, pictureSize, 3 * ball.RadiusMm);
                 var seen = SeenNormals.Look(stage.Renderer, rays);
-                for (var pixel = 0; pixel < PictureSize * PictureSize; pixel++)
+                for (var pixel = 0; pixel < pictureSize * pictureSize; pixel++)
                 {
-                    var ray = rays.RayThroughPixel(pixel % PictureSize, pixel / PictureSize);
+                    var ray = rays.RayThroughPixel(pixel % pictureSize, pixel / pictureSize);
                     var enter = ball.Crossing(ray).In;
                     if (double.IsNaN(enter)) continue;
                     var normal = ball.NormalAt(ray.At(enter));

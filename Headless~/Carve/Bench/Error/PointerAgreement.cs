@@ -26,12 +26,13 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
             foreach (var scene in ErrorScenes.All(context))
             {
                 scene.Show(context.Stage);
+                settings[scene.Name] = scene.ToJson();
                 var found = Tally(context, scene, OpacityFilter.Exact, ExactHairVoxels, ExactHairAlpha);
                 exact += found.Disagreements;
-                settings[scene.Name] = found.ToJson();
+                settings[$"{scene.Name}: exact filter"] = found.ToJson();
                 found = Tally(context, scene, OpacityFilter.Hardware, HardwareHair, HardwareHair);
                 hardware += found.Disagreements;
-                settings[$"{scene.Name}, the GPU's filter"] = found.ToJson();
+                settings[$"{scene.Name}: the GPU's filter"] = found.ToJson();
             }
 
             context.Stage.ThrowIfFailed();

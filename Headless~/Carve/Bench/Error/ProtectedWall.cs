@@ -14,7 +14,6 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
     /// </summary>
     sealed class ProtectedWall
     {
-        const int PictureSize = 192;
         const double WallX = 4, FaceZ = -13, Near = 1, Far = 4;
         static readonly VectorMm View = new VectorMm(0.45, 0.1, 1).Normalized();
 
@@ -28,19 +27,19 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
             sphere = new Ball(new PointMm(0.31, -0.17, FaceZ), radiusMm);
         }
 
-        public JsonObject Measure(BenchStage stage, RenderQuality quality)
+        public JsonObject Measure(BenchStage stage, RenderQuality quality, int pictureSize)
         {
             stage.Show(PhantomVolumes.OfSegments(geometry, 2, place => place.Z < FaceZ ? 0 : place.X < WallX ? 1 : 2));
             stage.Renderer.TransferFunction = PhantomVolumes.Everything;
             stage.Renderer.Quality = quality;
             stage.Stack.Carving.Replace([new ClipSphere(sphere.Centre, sphere.RadiusMm, SegmentMask.All(3).With(2, false))]);
-            var rays = ParallelViews.Along(View, sphere.Centre, 2 * sphere.RadiusMm, PictureSize, 3 * sphere.RadiusMm);
+            var rays = ParallelViews.Along(View, sphere.Centre, 2 * sphere.RadiusMm, pictureSize, 3 * sphere.RadiusMm);
             var seen = SeenNormals.Look(stage.Renderer, rays);
             AngleErrors cutNear = new(), cutFar = new(), wallNear = new(), wallFar = new();
             var otherSegment = 0;
-            for (var pixel = 0; pixel < PictureSize * PictureSize; pixel++)
+            for (var pixel = 0; pixel < pictureSize * pictureSize; pixel++)
             {
-                var ray = rays.RayThroughPixel(pixel % PictureSize, pixel / PictureSize);
+                var ray = rays.RayThroughPixel(pixel % pictureSize, pixel / pictureSize);
                 if (!Hit(ray, out var onWall, out var normal, out var fromCorner) || fromCorner < Near) continue;
                 (onWall ? fromCorner < Far ? wallNear : wallFar : fromCorner < Far ? cutNear : cutFar).Add(seen.Normals[pixel], normal);
                 if (seen.Segments[pixel] != (onWall ? 2 : 1)) otherSegment++;
