@@ -8,7 +8,10 @@ using NUnit.Framework;
 
 namespace AnatomyCarve.Headless.Tests.Bench
 {
-    /// <summary>The error measures with the package's kernels, in small settings. What was found last stands behind each; where a limit is not the goal, the goal stands before it.</summary>
+    /// <summary>
+    /// The error measures with the package's kernels, in small settings. What was found last stands behind each; where a limit is not the goal, the goal
+    /// stands before it.
+    /// </summary>
     sealed class ErrorMeasureTests
     {
         // Goal 1.95. The product of the steps' transmittances drifts: each exp2 near 0 is off by 1e-8 on lavapipe, always to the same side.
@@ -24,7 +27,7 @@ namespace AnatomyCarve.Headless.Tests.Bench
 
         // Goal 1. What is left of the light is 1/255, and a highlight is brighter than 1.
         [Test]
-        public void P12_EarlyTermination_CostsNoCode() => Check(new TerminationError(96), 1.3); // 1.25
+        public void P12_EarlyTermination_CostsNoCode() => Check(new TerminationError(), 1.3); // 1.25
 
         [Test]
         public void P16_StoredNormals_AreNearTheirDirections() => Check(new StoredNormals()); // 0.333, 0.909
@@ -44,8 +47,9 @@ namespace AnatomyCarve.Headless.Tests.Bench
         [Test]
         public void P30_Pointer_FindsWhatIsShown() => Check(new PointerAgreement(96), 0, 6); // 0, 5
 
+        // Goals 40, 0.99, 0.1, 0.05; the head reaches them. It is the eight bits of thin matter's opacity that cost the rest.
         [Test]
-        public void P29_DefaultPicture_IsNearTheConvergedOne() => Check(new ConvergedPicture(96), 43, 0.99, 4.2, 1.6); // 43.9, 0.998, 3.93, 1.53
+        public void P29_DefaultPicture_IsNearTheConvergedOne() => Check(new DefaultPicture(64), 43, 0.99, 4.2, 1.6); // 43.9, 0.998, 3.85, 1.53
 
         /// <param name="measure">what is measured</param>
         /// <param name="limits">none = the goals</param>

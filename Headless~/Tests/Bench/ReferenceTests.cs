@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.Linq;
 using System.Threading;
 using AnatomyCarve.Carving;
@@ -50,30 +49,33 @@ namespace AnatomyCarve.Headless.Tests.Bench
         public void Reference_OfASmoothCut_TakesTheShareInsideTheSphere()
         {
             var sphere = new ClipSphere(new PointMm(0.5, 0.75, 20), 20, SegmentMask.All(2)); // its surface's lowest point lies in a voxel's centre
-            var field = new ReferenceField(PhantomVolumes.OfOpacities(Grid, Filled(255)), PhantomVolumes.EightBits, [sphere], CutMode.Smooth);
+            var volume = PhantomVolumes.OfOpacities(Grid, Filled(255));
+            var field = new ReferenceField(volume, PhantomVolumes.EightBits, volume.Segments, [sphere], CutMode.Smooth);
             var k = (Size - 1) / 2; // at -1 mm: 21 mm from the sphere's centre, half a voxel beyond its surface
             Assert.That(field.OpacityOf(8, 8, k), Is.EqualTo(1).Within(1e-12));
             Assert.That(field.OpacityOf(8, 8, k + 1), Is.EqualTo(0).Within(1e-12));
         }
 
         [Test]
-        public void Reference_OfEightBits_IsTheFieldOfThePointer([Values(CutMode.Binary)] CutMode cut)
+        public void Reference_OfEightBits_IsTheFieldOfThePointer()
         {
             var volume = TranslucentOrgans.Make();
             var sphere = new ClipSphere(new PointMm(-14, -22, 12), 17, SegmentMask.All(volume.Segments.Count));
-            var reference = new ReferenceField(volume, TranslucentOrgans.TransferFunction, [sphere], cut, OpacityPrecision.EightBits);
+            var reference = new ReferenceField(
+                volume, TranslucentOrgans.TransferFunction, volume.Segments, [sphere], CutMode.Binary, OpacityPrecision.EightBits);
             var field = new CarvedField(volume);
-            field.Update([sphere], TranslucentOrgans.TransferFunction, volume.Segments, cut, AntiAliasSettings.Default);
+            field.Update([sphere], TranslucentOrgans.TransferFunction, volume.Segments, CutMode.Binary, AntiAliasSettings.Default);
             var random = new Random(3);
-            var differences = new List<double>();
-            for (var n = 0; n < 3000; n++)
+            double largest = 0;
+            for (var n = 0; n < 20000; n++)
             {
                 var (i, j, k) = (random.Next(96), random.Next(96), random.Next(64));
                 Assert.That(255 * reference.OpacityOf(i, j, k), Is.EqualTo(field.OpacityCode(i, j, k)).Within(1.0001), $"({i}, {j}, {k})");
-                differences.Add(Math.Abs(255 * reference.AntiAliasedOf(i, j, k) - field.AntiAliasedCode(i, j, k)));
+                largest = Math.Max(largest, Math.Abs(255 * reference.AntiAliasedOf(i, j, k) - field.AntiAliasedCode(i, j, k)));
             }
 
-            Assert.That(differences.Average(), Is.LessThan(0.1), "codes"); // 0.0
+            TestContext.Out.WriteLine(largest);
+            Assert.That(largest, Is.LessThan(0.51), "codes"); // 0.499
         }
 
         [Test]
@@ -134,10 +136,10 @@ namespace AnatomyCarve.Headless.Tests.Bench
             return opacities;
         }
 
-        static ReferenceField Field(SegmentedVolume volume) => new(volume, PhantomVolumes.EightBits, [], CutMode.Binary);
+        static ReferenceField Field(SegmentedVolume volume) => new(volume, PhantomVolumes.EightBits, volume.Segments, [], CutMode.Binary);
 
         static ReferencePicture Render(SegmentedVolume volume) =>
-            new ReferenceRenderer(Field(volume), volume.Segments, new LightSettings()).Render(Aslant, CancellationToken.None);
+            new ReferenceRenderer(Field(volume), new LightSettings()).Render(Aslant, CancellationToken.None);
 
         static double[] Grey(double value) => [.. Enumerable.Repeat(value, 400)];
 

@@ -5,7 +5,9 @@ using AnatomyCarve.Headless.Cli.Bench.Measures;
 
 namespace AnatomyCarve.Headless.Cli.Bench.Error
 {
-    /// <summary>P9: how fast the ray sum comes nearer to the integral as steps get shorter: the slope of log error over log samples, by least squares.</summary>
+    /// <summary>
+    /// P9: how fast the ray sum comes nearer to the integral as steps get shorter: the slope of log error over log samples, by least squares.
+    /// </summary>
     sealed class ConvergenceOrder : IMeasure
     {
         static readonly int[] Samples = [16, 32, 64, 128, 256, 512];

@@ -12,11 +12,15 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
     sealed record ErrorScene(
         string Name, SegmentedVolume Volume, OpacityTransferFunction TransferFunction, IReadOnlyList<ClipSphere> Spheres, PerspectiveCamera Camera)
     {
+        /// <summary>The segments as they are shown; the volume's unless set.</summary>
+        public SegmentTable Segments { get; init; } = Volume.Segments;
+
         /// <summary>Shows it, carved, at the default quality.</summary>
         public void Show(BenchStage stage)
         {
             stage.Show(Volume);
             stage.Renderer.TransferFunction = TransferFunction;
+            stage.Renderer.Segments = Segments;
             stage.Stack.Carving.Replace(Spheres);
         }
 

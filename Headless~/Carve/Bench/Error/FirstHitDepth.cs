@@ -10,8 +10,9 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
 {
     /// <summary>
     /// P11: the depth of the first hit on a hard edge, in steps. Opacity rises from 0 to 1 from one voxel to the next; rays meet it at all angles up to 55
-    /// degrees from its normal, so that the edge lies anywhere in a step. The true depth is where the transmittance of the interpolated field is 0.5: with u = 1 -
-    /// opacity the optical depth down to u is (u ln u - u + 1) / cosine, in reference lengths, which is solved for u by bisection in double precision.
+    /// degrees from its normal, so that the edge lies anywhere in a step. The true depth is where the transmittance of the interpolated field is 0.5: with
+    /// u = 1 - opacity the optical depth down to u is (u ln u - u + 1) / cosine, in reference lengths, which is solved for u by bisection in double
+    /// precision.
     /// </summary>
     sealed class FirstHitDepth : IMeasure
     {
@@ -37,7 +38,8 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
             };
             foreach (var step in OtherSteps)
             {
-                settings[FormattableString.Invariant($"step {step}")] = new JsonObject { ["rms"] = Measure(field, step).Rms, ["largest"] = Measure(field, step).Largest };
+                var other = Measure(field, step);
+                settings[FormattableString.Invariant($"step {step}")] = new JsonObject { ["rms"] = other.Rms, ["largest"] = other.Largest };
             }
 
             return new Outcome([rms], "edge from 0 to 1", settings);
@@ -61,7 +63,11 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
         static double[] Errors(RayField field, PictureRays rays, double step)
         {
             var found = field.March(rays, step, new VectorMm(0, 0, -1)).DepthsMm;
-            return found.Select((depth, pixel) => (depth - TrueDepth(field.Geometry, rays.RayThroughPixel(pixel % PictureSize, pixel / PictureSize))) / step).ToArray();
+            return found.Select((depth, pixel) =>
+            {
+                var ray = rays.RayThroughPixel(pixel % PictureSize, pixel / PictureSize);
+                return (depth - TrueDepth(field.Geometry, ray)) / step;
+            }).ToArray();
         }
 
         static double TrueDepth(VolumeGeometry geometry, RayMm ray)

@@ -59,11 +59,13 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
             Bind(name, texture);
         }
 
-        public RenderTexture VolumeTarget(string name, GraphicsFormat format) => Target(name, new RenderTextureDescriptor(geometry.SizeI, geometry.SizeJ, format, 0)
+        public RenderTexture VolumeTarget(string name, GraphicsFormat format)
         {
-            dimension = TextureDimension.Tex3D,
-            volumeDepth = geometry.SizeK,
-        });
+            var descriptor = new RenderTextureDescriptor(geometry.SizeI, geometry.SizeJ, format, 0);
+            descriptor.dimension = TextureDimension.Tex3D;
+            descriptor.volumeDepth = geometry.SizeK;
+            return Target(name, descriptor);
+        }
 
         public RenderTexture PictureTarget(string name, GraphicsFormat format, int width, int height) =>
             Target(name, new RenderTextureDescriptor(width, height, format, 0));

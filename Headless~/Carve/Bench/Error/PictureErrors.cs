@@ -36,9 +36,11 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
             ["depthRmseVoxels"] = DepthRmseVoxels,
         };
 
-        static double[] Encoded(Rgba[] colors) => [.. colors.SelectMany(color => new[] { color.R, color.G, color.B }).Select(c => Peak * SrgbCurve.ToEncoded(c))];
+        static double[] Encoded(Rgba[] colors) =>
+            [.. colors.SelectMany(color => new[] { color.R, color.G, color.B }).Select(c => Peak * SrgbCurve.ToEncoded(c))];
 
         /// <summary>Luma, Rec. 601.</summary>
-        static double[] Grey(double[] rgb) => [.. Enumerable.Range(0, rgb.Length / 3).Select(n => 0.299 * rgb[3 * n] + 0.587 * rgb[3 * n + 1] + 0.114 * rgb[3 * n + 2])];
+        static double[] Grey(double[] rgb) =>
+            [.. Enumerable.Range(0, rgb.Length / 3).Select(n => 0.299 * rgb[3 * n] + 0.587 * rgb[3 * n + 1] + 0.114 * rgb[3 * n + 2])];
     }
 }

@@ -17,7 +17,8 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
         {
         }
 
-        public Quantity Quantity { get; } = new("P30", "pointer against the picture's first visible segment: exact filter, the GPU's filter", "rays that disagree", [0, 0]);
+        public Quantity Quantity { get; } = new(
+            "P30", "pointer against the picture's first visible segment: exact filter, the GPU's filter", "rays that disagree", [0, 0]);
 
         public Outcome Run(MeasureContext context)
         {
@@ -36,7 +37,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
             }
 
             context.Stage.ThrowIfFailed();
-            return new Outcome([exact, hardware], string.Join(", ", ErrorScenes.Names), settings);
+            return new Outcome([exact, hardware], string.Join("; ", ErrorScenes.Names), settings);
         }
 
         PointerTally Tally(MeasureContext context, ErrorScene scene, OpacityFilter filter, double hairVoxels, double hairAlpha)

@@ -31,7 +31,8 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
                 AddComponent(renderer, rays, Vector3.right, axes.Right, seen);
                 AddComponent(renderer, rays, Vector3.up, axes.Up, seen);
                 var picture = AddComponent(renderer, rays, Vector3.forward, axes.Backward, seen);
-                return new SeenSurface(Array.ConvertAll(seen, normal => normal.LengthSquared > 0 ? normal.Normalized() : default), picture.DepthMm, picture.Segments);
+                var normals = Array.ConvertAll(seen, normal => normal.LengthSquared > 0 ? normal.Normalized() : default);
+                return new SeenSurface(normals, picture.DepthMm, picture.Segments);
             }
             finally
             {

@@ -7,8 +7,8 @@ using AnatomyCarve.Headless.Cli.Bench.Measures;
 namespace AnatomyCarve.Headless.Cli.Bench.Error
 {
     /// <summary>
-    /// The error of any quality against the converged reference of the same cut mode, anti-aliased. A scene's reference picture is made once and kept as long as
-    /// this object.
+    /// The error of any quality against the converged reference of the same cut mode, anti-aliased. A scene's reference picture is made once and kept as
+    /// long as this object.
     /// </summary>
     sealed class SettingError(int pictureSize)
     {
@@ -43,8 +43,8 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
             var cut = stage.Renderer.Quality.CutMode;
             if (!references.TryGetValue((scene.Name, cut, precision), out var picture))
             {
-                var field = new ReferenceField(scene.Volume, scene.TransferFunction, scene.Spheres, cut, precision);
-                picture = new ReferenceRenderer(field, scene.Volume.Segments, stage.Renderer.Light).Render(scene.Rays(pictureSize, pictureSize), cancellation);
+                var field = new ReferenceField(scene.Volume, scene.TransferFunction, scene.Segments, scene.Spheres, cut, precision);
+                picture = new ReferenceRenderer(field, stage.Renderer.Light).Render(scene.Rays(pictureSize, pictureSize), cancellation);
                 references.Add((scene.Name, cut, precision), picture);
             }
 

@@ -22,7 +22,11 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
         public static double Of(double[] a, double[] b, int width, double peak)
         {
             var height = a.Length / width;
-            if (a.Length != b.Length || width < Window || height < Window) throw new ArgumentException("SSIM compares pictures of one size, 11 x 11 pixels at least.");
+            if (a.Length != b.Length || width < Window || height < Window)
+            {
+                throw new ArgumentException("SSIM compares pictures of one size, 11 x 11 pixels at least.");
+            }
+
             var (c1, c2) = (K1 * K1 * peak * peak, K2 * K2 * peak * peak);
             var (meanA, meanB) = (Blur(a, width), Blur(b, width));
             var (squareA, squareB) = (Blur(Product(a, a), width), Blur(Product(b, b), width));

@@ -5,7 +5,9 @@ using AnatomyCarve.Headless.Cli.Bench.Measures;
 
 namespace AnatomyCarve.Headless.Cli.Bench.Error
 {
-    /// <summary>P12: what ending rays early costs: the largest difference of a linear colour channel between the default's pictures and those of rays that go on.</summary>
+    /// <summary>
+    /// P12: what ending rays early costs: the largest difference of a linear colour channel between the default's pictures and those of rays that go on.
+    /// </summary>
     sealed class TerminationError(int pictureSize) : IMeasure
     {
         const int DefaultPictureSize = 192;
@@ -35,7 +37,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
             }
 
             context.Stage.ThrowIfFailed();
-            return new Outcome([largest], string.Join(", ", ErrorScenes.Names), settings);
+            return new Outcome([largest], string.Join("; ", ErrorScenes.Names), settings);
         }
     }
 }

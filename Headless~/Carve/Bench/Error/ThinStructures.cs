@@ -19,7 +19,8 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
         // The offset from the middle makes an upright plate two voxels thick and an upright vessel two voxels wide.
         static readonly (string Name, VectorMm Direction)[] Directions =
         [
-            ("upright", new VectorMm(0, 0, 1)), ("45 degrees", new VectorMm(0, 1, 1)), ("diagonal", new VectorMm(1, 1, 1)), ("oblique", new VectorMm(0.3, 0.5, 1)),
+            ("upright", new VectorMm(0, 0, 1)), ("45 degrees", new VectorMm(0, 1, 1)),
+            ("diagonal", new VectorMm(1, 1, 1)), ("oblique", new VectorMm(0.3, 0.5, 1)),
         ];
 
 

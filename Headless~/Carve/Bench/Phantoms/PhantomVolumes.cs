@@ -9,7 +9,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Phantoms
     {
         static readonly SegmentColor White = new(255, 255, 255);
 
-        /// <summary>Opacity 1 wherever there is a segment; what is unlabelled is invisible. White, as lit normals need it. For <see cref="Everything"/>.</summary>
+        /// <summary>Opacity 1 wherever there is a segment, for <see cref="Everything"/>; nothing elsewhere. White, as lit normals need it.</summary>
         /// <param name="geometry">the grid</param>
         /// <param name="segments">how many segments there are, the unlabelled one not counted</param>
         /// <param name="segmentAt">the segment at a place in LPS mm; 0 = none</param>

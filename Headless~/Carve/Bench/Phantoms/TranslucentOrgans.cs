@@ -22,7 +22,8 @@ namespace AnatomyCarve.Headless.Cli.Bench.Phantoms
         ];
 
         /// <summary>Opacity per 0.8 mm: thin for the body, some for organs, 1 for bone.</summary>
-        public static OpacityTransferFunction TransferFunction { get; } = OpacityTransferFunction.Parse("0:0,60:0,120:0.015,300:0.05,420:0.2,600:0.5,850:1,1000:1");
+        public static OpacityTransferFunction TransferFunction { get; } =
+            OpacityTransferFunction.Parse("0:0,60:0,120:0.015,300:0.05,420:0.2,600:0.5,850:1,1000:1");
 
         public static SegmentedVolume Make()
         {

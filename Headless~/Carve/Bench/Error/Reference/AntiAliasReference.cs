@@ -3,7 +3,9 @@ using AnatomyCarve.Carving;
 
 namespace AnatomyCarve.Headless.Cli.Bench.Error.Reference
 {
-    /// <summary>Anti-aliasing as Documentation~/architecture.md defines it, in double precision; the twin of Shaders/AntiAlias.compute at its default settings.</summary>
+    /// <summary>
+    /// Anti-aliasing as Documentation~/architecture.md defines it, in double precision; the twin of Shaders/AntiAlias.compute at its default settings.
+    /// </summary>
     static class AntiAliasReference
     {
         const double FlatLimit = 0.33;

@@ -4,7 +4,9 @@ using AnatomyCarve.Carving;
 
 namespace AnatomyCarve.Headless.Cli.Bench.Error.Reference
 {
-    /// <summary>A value per voxel, computed a brick at a time when first asked for, from any thread. Two threads that ask at once may compute the same brick twice.</summary>
+    /// <summary>
+    /// A value per voxel, computed a brick at a time when first asked for, from any thread. Two threads that ask at once may compute the same brick twice.
+    /// </summary>
     sealed class LazyBricks<T>(BrickGrid grid, Func<int, int, int, T> compute)
     {
         const int Size = BrickGrid.BrickSize;

@@ -3,7 +3,9 @@ using AnatomyCarve.Volumes;
 
 namespace AnatomyCarve.Headless.Cli.Bench.Error.Reference
 {
-    /// <summary>Normals as Documentation~/architecture.md defines them, in double precision; the twin of Shaders/SobelNormals.compute, not stored in bytes.</summary>
+    /// <summary>
+    /// Normals as Documentation~/architecture.md defines them, in double precision; the twin of Shaders/SobelNormals.compute, not stored in bytes.
+    /// </summary>
     static class NormalReference
     {
         /// <summary>Smaller gradients are rounding.</summary>

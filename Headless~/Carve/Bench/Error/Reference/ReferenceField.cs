@@ -32,9 +32,11 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error.Reference
         readonly LazyBricks<double> opacities, antiAliased;
         readonly LazyBricks<VectorMm> normals;
 
-        public ReferenceField(SegmentedVolume volume, OpacityTransferFunction transferFunction, IReadOnlyList<ClipSphere> spheres, CutMode cut,
+        public ReferenceField(
+            SegmentedVolume volume, OpacityTransferFunction transferFunction, SegmentTable segments, IReadOnlyList<ClipSphere> spheres, CutMode cut,
             OpacityPrecision precision = OpacityPrecision.Exact)
         {
+            Segments = segments;
             this.volume = volume;
             this.cut = cut;
             this.precision = precision;
@@ -47,6 +49,9 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error.Reference
             antiAliased = new LazyBricks<double>(Bricks, (i, j, k) => AntiAliasReference.At(this, i, j, k));
             normals = new LazyBricks<VectorMm>(Bricks, (i, j, k) => NormalReference.At(this, i, j, k));
         }
+
+        /// <summary>With the opacities and colours that are shown.</summary>
+        public SegmentTable Segments { get; }
 
         public VolumeGeometry Geometry => volume.Geometry;
 
@@ -96,7 +101,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error.Reference
         {
             var voxel = VoxelAt(i, j, k);
             var segment = volume.Labels.Indices[voxel];
-            var uncut = opacityOfCode[volume.Intensity.Codes[voxel]] * volume.Segments[segment].Opacity;
+            var uncut = opacityOfCode[volume.Intensity.Codes[voxel]] * Segments[segment].Opacity;
             var carved = uncut > 0 ? uncut * (1 - Coverage(i, j, k, segment)) : 0;
             return precision == OpacityPrecision.EightBits ? Math.Round(255 * carved) / 255 : carved;
         }

@@ -23,11 +23,11 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error.Reference
         readonly Rgba[] segmentColors;
         readonly LightSettings light;
 
-        public ReferenceRenderer(ReferenceField field, SegmentTable segments, LightSettings light)
+        public ReferenceRenderer(ReferenceField field, LightSettings light)
         {
             this.field = field;
             this.light = light;
-            segmentColors = [.. segments.Select(segment => Linear(segment.Color))];
+            segmentColors = [.. field.Segments.Select(segment => Linear(segment.Color))];
         }
 
         public ReferencePicture Render(PictureRays rays, CancellationToken cancellation)

@@ -6,9 +6,9 @@ using AnatomyCarve.Headless.Cli.Bench.Measures;
 namespace AnatomyCarve.Headless.Cli.Bench.Error
 {
     /// <summary>P29: the default picture against the converged one. Of several scenes the worst counts, for each value by itself.</summary>
-    sealed class ConvergedPicture(int pictureSize) : IMeasure
+    sealed class DefaultPicture(int pictureSize) : IMeasure
     {
-        public ConvergedPicture() : this(SettingError.DefaultPictureSize)
+        public DefaultPicture() : this(SettingError.DefaultPictureSize)
         {
         }
 
@@ -22,7 +22,10 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
         {
             var error = new SettingError(pictureSize);
             double psnr = double.PositiveInfinity, ssim = 1, segments = 0, depth = 0;
-            var settings = new JsonObject { ["quality"] = "balanced", ["pixels"] = pictureSize * pictureSize, ["referenceStepVoxels"] = ReferenceRenderer.Step };
+            var settings = new JsonObject
+            {
+                ["quality"] = "balanced", ["pixels"] = pictureSize * pictureSize, ["referenceStepVoxels"] = ReferenceRenderer.Step,
+            };
             foreach (var scene in ErrorScenes.All(context))
             {
                 var found = error.Of(context.Stage, RenderQuality.Balanced(), scene, context.Cancellation);
@@ -35,7 +38,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
             }
 
             context.Stage.ThrowIfFailed();
-            return new Outcome([psnr, ssim, segments, depth], string.Join(", ", ErrorScenes.Names), settings);
+            return new Outcome([psnr, ssim, segments, depth], string.Join("; ", ErrorScenes.Names), settings);
         }
     }
 }
