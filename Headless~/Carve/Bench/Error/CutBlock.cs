@@ -61,12 +61,13 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
                 {
                     var ray = rays.RayThroughPixel(pixel % pictureSize, pixel / pictureSize);
                     if (!MeetsCut(ray, out var depthMm)) continue;
-                    normals.Add(seen.Normals[pixel], -sphere.NormalAt(ray.At(depthMm)));
                     if (!seen.Shows(pixel))
                     {
                         missing++;
                         continue;
                     }
+
+                    normals.Add(seen.Normals[pixel], -sphere.NormalAt(ray.At(seen.DepthsMm[pixel])));
 
                     var error = (seen.DepthsMm[pixel] - depthMm) / geometry.ReferenceLengthMm;
                     sum += error;

@@ -9,7 +9,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
 {
     /// <summary>
     /// P34: how smooth a label map looks. Balls that a label map holds or not by a voxel's centre, all of opacity 1, are seen in parallel projections
-    /// at the default quality; their normals as seen against the balls' own, where these lie within 70 degrees of the view. Smoothing must not
+    /// at the default quality; their normals as seen against the balls' own there, where these lie within 70 degrees of the view. Smoothing must not
     /// cost thin structures their opacity: plates and vessels of two voxels' thickness keep at least 90 % of it.
     /// </summary>
     sealed class LabelSurfaces(int pictureSize) : IMeasure
@@ -65,8 +65,8 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
                     var ray = rays.RayThroughPixel(pixel % pictureSize, pixel / pictureSize);
                     var enter = ball.Crossing(ray).In;
                     if (double.IsNaN(enter)) continue;
-                    var normal = ball.NormalAt(ray.At(enter));
-                    if (-normal.Dot(ray.Direction) >= MostSlanted) errors.Add(seen.Normals[pixel], normal);
+                    if (-ball.NormalAt(ray.At(enter)).Dot(ray.Direction) < MostSlanted) continue;
+                    errors.Add(seen.Normals[pixel], ball.NormalAt(ray.At(seen.Shows(pixel) ? seen.DepthsMm[pixel] : enter)));
                 }
             }
 

@@ -18,6 +18,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
     /// The normals that a picture is shaded with, read off its shades: a white surface under diffuse light from one direction alone is as bright as the
     /// normal's component that way. Light from both ends of an axis, one after the other, gives the component with its sign. What several
     /// samples of a ray contribute is blended as colours are. For parallel rays, to which visible surfaces turn one side.
+    /// A normal belongs to the place that is seen, which may lie before or behind the true surface: that error is the depth's.
     /// </summary>
     static class SeenNormals
     {

@@ -5,8 +5,8 @@ using AnatomyCarve.Headless.Cli.Bench.Measures;
 namespace AnatomyCarve.Headless.Cli.Bench.Error
 {
     /// <summary>
-    /// P28: the surface that a clip sphere cuts into opaque matter, at the quality "best" (smooth cuts): normals as seen and depth against the sphere
-    /// itself, where a ray meets it within 70 degrees of its normal and three voxels or more below the block's face. The main scene has a radius of
+    /// P28: the surface that a clip sphere cuts into opaque matter, at the quality "best" (smooth cuts): normals as seen against the
+    /// sphere's own at that place, and depth against the sphere itself, where a ray meets it within 70 degrees of its normal and three voxels or more below the block's face. The main scene has a radius of
     /// 20 voxels of 1 mm; other radii and spacings, and what is seen where a segment that the sphere does not clip stands in the cut, go to the settings.
     /// </summary>
     sealed class SphereCut(int pictureSize) : IMeasure
