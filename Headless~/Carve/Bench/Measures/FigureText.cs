@@ -19,7 +19,9 @@ namespace AnatomyCarve.Headless.Cli.Bench.Measures
 
         public static string Values(double[] values) => string.Join(" / ", values.Select(Number));
 
-        public static string Goal(Quantity quantity) => $"{(quantity.AtLeast ? "at least" : "at most")} {Values(quantity.Goals)}";
+        public static string Goal(Quantity quantity) => quantity.AtLeastEach == null
+            ? $"{(quantity.AtLeast ? "at least" : "at most")} {Values(quantity.Goals)}"
+            : string.Join(", ", quantity.Goals.Select((goal, n) => $"{(quantity.IsAtLeast(n) ? "at least" : "at most")} {Values([goal])}"));
 
         public static string Number(double value) => Math.Abs(value) is >= 1000 and < 1e15
             ? value.ToString("0.##", CultureInfo.InvariantCulture)
