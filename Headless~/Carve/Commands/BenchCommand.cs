@@ -1,8 +1,6 @@
-using System;
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
-using System.IO;
 using System.Linq;
 using System.Text;
 using System.Threading;
@@ -12,34 +10,25 @@ using AnatomyCarve.Headless.Cli.Files;
 
 namespace AnatomyCarve.Headless.Cli.Commands
 {
-    /// <summary>carve bench: how long things take.</summary>
+    /// <summary>carve bench: work, errors, and how long things take.</summary>
     static class BenchCommand
     {
         const int MostRuns = 1000;
         const int MostThreads = 64;
-        const int LongestSide = 2048;
 
-        readonly record struct PhantomSize(int I, int J, int K);
-
-        public static Command Create() => new("bench", "Measures: work, errors, and time.")
+        public static Command Create() => new("bench", "Measures work, errors, and time.")
         {
-            CreateLoad(), BenchAllCommand.Create(),
+            BenchVolumeCommand.CreateRender(),
+            BenchVolumeCommand.CreateEdit(),
+            CreateLoad(),
+            BenchAllCommand.CreateError(),
+            BenchAllCommand.Create(),
+            BenchCompareCommand.Create(),
         };
 
         static Command CreateLoad()
         {
-            var volume = new Argument<string>("VOLUME")
-            {
-                Description = "The intensities, CT or MRI: .nii, .nii.gz or .nrrd. Or --phantom.",
-                Arity = ArgumentArity.ZeroOrOne,
-            };
-            var labels = new Option<string>("--labels") { HelpName = "FILE", Description = "The segmentation on the same grid." };
-            var phantom = new Option<PhantomSize?>("--phantom")
-            {
-                HelpName = "IxJxK",
-                CustomParser = ParseSizes,
-                Description = "Instead of files: a made-up CT of this size with noise and 40 segments, as gzipped NRRD; 441x321x215, for example.",
-            };
+            var source = new BenchSource("load");
             var runs = new Option<int>("--runs") { HelpName = "N", DefaultValueFactory = _ => 7, Description = "How often each way is run; medians are shown." };
             runs.Validators.Add(result => CheckRange(result, runs, 1, MostRuns));
             var threads = new Option<int>("--threads")
@@ -51,25 +40,16 @@ namespace AnatomyCarve.Headless.Cli.Commands
             threads.Validators.Add(result => CheckRange(result, threads, 1, MostThreads));
             var report = new Option<string>("--report") { HelpName = "FILE", Description = "Also write all of it as JSON." };
             var noProgress = new Option<bool>("--no-progress") { Description = "No progress bars." };
-            var command = new Command(
-                "load", "Loads a volume from its files and from a packed volume, by turns: time, memory, bytes.")
-            {
-                volume, labels, phantom, runs, threads, report, noProgress,
-            };
-            command.Validators.Add(result =>
-            {
-                var isPhantom = result.GetResult(phantom) != null;
-                if (result.GetValue(volume) == null == !isPhantom) result.AddError("bench load: expected either a VOLUME or --phantom.");
-                if (isPhantom && result.GetValue(labels) != null) result.AddError("--labels: the phantom has its own.");
-            });
+            var command = new Command("load", "Loads a volume from its files and from a packed volume, by turns: time, memory, bytes.");
+            command.Aliases.Add("read");
+            source.AddTo(command);
+            foreach (var option in new Option[] { runs, threads, report, noProgress }) command.Options.Add(option);
             command.SetAction((parsed, cancellation) =>
             {
                 var configuration = parsed.InvocationConfiguration;
                 var reportPath = parsed.GetValue(report);
                 if (reportPath != null) OutputSet.Check(reportPath);
-                var (scan, segmentation) = parsed.GetValue(phantom) is { } size
-                    ? MakePhantom(size)
-                    : (ReadContent(parsed.GetValue(volume)), parsed.GetValue(labels) is { } path ? ReadContent(path) : null);
+                var (scan, segmentation) = source.Read(parsed);
                 int[] counts = [.. new[] { 1, parsed.GetValue(threads) }.Distinct()];
                 var comparison = ProgressBars.Show(configuration.Error, !parsed.GetValue(noProgress), bars => bars.Step("loading",
                     progress => LoadBench.Run(scan, segmentation, parsed.GetValue(runs), counts, progress, cancellation)));
@@ -78,18 +58,6 @@ namespace AnatomyCarve.Headless.Cli.Commands
                 return Task.FromResult(0);
             });
             return command;
-        }
-
-        static (NamedContent Scan, NamedContent Labels) MakePhantom(PhantomSize size)
-        {
-            var (scan, labels) = CtPhantom.Make(size.I, size.J, size.K);
-            return (new NamedContent("phantom.nrrd", scan), new NamedContent("phantom labels.nrrd", labels));
-        }
-
-        static NamedContent ReadContent(string path)
-        {
-            InputFile.Check(path);
-            return new NamedContent(path, File.ReadAllBytes(path));
         }
 
         static void WriteReport(string path, LoadComparison comparison, NamedContent scan, NamedContent labels, CancellationToken cancellation)
@@ -107,19 +75,6 @@ namespace AnatomyCarve.Headless.Cli.Commands
             {
                 result.AddError(string.Create(CultureInfo.InvariantCulture, $"{option.Name} \"{value}\": expected a number from {least} to {most}."));
             }
-        }
-
-        static PhantomSize? ParseSizes(ArgumentResult result)
-        {
-            var text = result.Tokens[0].Value;
-            var sizes = text.Split('x').Select(side => int.TryParse(side, NumberStyles.None, CultureInfo.InvariantCulture, out var number) ? number : 0).ToArray();
-            if (sizes.Length == 3 && sizes.All(side => side is >= 1 and <= LongestSide) && (long)sizes[0] * sizes[1] * sizes[2] <= 1 << 28)
-            {
-                return new PhantomSize(sizes[0], sizes[1], sizes[2]);
-            }
-
-            result.AddError($"--phantom \"{text}\": expected IxJxK with sides from 1 to {LongestSide} and at most 2^28 voxels, for example 441x321x215.");
-            return null;
         }
     }
 }
