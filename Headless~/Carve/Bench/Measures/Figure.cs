@@ -21,7 +21,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Measures
                 ["what"] = Quantity.What,
                 ["value"] = Outcome.Values == null ? null : Numbers(Outcome.Values.Select(Rounded).ToArray()),
                 ["goal"] = Numbers(Quantity.Goals),
-                ["atLeast"] = Quantity.AtLeast,
+                ["atLeast"] = Quantity.AtLeastEach is { } each ? new JsonArray(each.Select(one => (JsonNode)one).ToArray()) : Quantity.AtLeast,
                 ["unit"] = Quantity.Unit,
                 ["holds"] = Holds,
                 ["scene"] = Outcome.Scene,
@@ -36,7 +36,10 @@ namespace AnatomyCarve.Headless.Cli.Bench.Measures
         {
             try
             {
-                var quantity = new Quantity(id, (string)json["what"], (string)json["unit"], List(json["goal"]), (bool?)json["atLeast"] ?? false);
+                var quantity = new Quantity(id, (string)json["what"], (string)json["unit"], List(json["goal"]), json["atLeast"] is JsonValue one && (bool)one)
+                {
+                    AtLeastEach = (json["atLeast"] as JsonArray)?.Select(each => (bool)each).ToArray(),
+                };
                 var values = json["value"] == null ? null : List(json["value"]);
                 if (values != null && values.Length != quantity.Goals.Length) throw new FormatException($"{id} has {values.Length} values for {quantity.Goals.Length} goals");
                 return new Figure(quantity, new Outcome(values, (string)json["scene"], json["settings"]?.DeepClone() as JsonObject, (string)json["reason"]));
@@ -74,7 +77,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Measures
                 for (var n = 0; n < quantity.Goals.Length; n++)
                 {
                     lines.Add(string.Join(',', quantity.Id, Text(n + 1), outcome.Values == null ? "" : Text(outcome.Values[n]), Text(quantity.Goals[n]),
-                        quantity.AtLeast ? "yes" : "no", Quoted(quantity.Unit), outcome.Values == null ? "" : quantity.Holds(outcome.Values) ? "yes" : "no",
+                        quantity.IsAtLeast(n) ? "yes" : "no", Quoted(quantity.Unit), outcome.Values == null ? "" : quantity.Holds(outcome.Values) ? "yes" : "no",
                         Quoted(outcome.Scene), Quoted(quantity.What), Quoted(outcome.Reason)));
                 }
             }

@@ -28,12 +28,19 @@ namespace AnatomyCarve.Headless.Cli.Bench.Measures
         /// <summary>The unit of ratios of times.</summary>
         public const string TimeUnit = "new/old";
 
-        /// <summary>Whether values reach the goals.</summary>
+        /// <summary>Which of the values are to be their goals at least, where they differ in that; null = all as AtLeast says.</summary>
+        public bool[] AtLeastEach { get; init; }
+
+        /// <summary>Whether a value is to be its goal at least; otherwise at most.</summary>
+        public bool IsAtLeast(int value) => AtLeastEach?[value] ?? AtLeast;
+
+        /// <summary>Whether all values reach their goals.</summary>
         public bool Holds(double[] values)
         {
-            for (var n = 0; n < Goals.Length; n++)
+            for (var value = 0; value < Goals.Length; value++)
             {
-                if (!(AtLeast ? values[n] >= Goals[n] : values[n] <= Goals[n])) return false;
+                // Written so that NaN does not hold.
+                if (!(IsAtLeast(value) ? values[value] >= Goals[value] : values[value] <= Goals[value])) return false;
             }
 
             return true;

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Text.Json.Nodes;
@@ -62,11 +63,11 @@ namespace AnatomyCarve.Headless.Cli.Bench.Pareto
 
         public JsonObject ToJson() => new()
         {
-            ["preset"] = Setting.Preset, ["step"] = Setting.Step, ["skipping"] = Setting.Skipping, ["opaqueAlpha"] = Json.Number(System.Math.Round(Setting.OpaqueAlpha, 5)),
+            ["preset"] = Setting.Preset, ["step"] = Json.Number(Math.Round(Setting.Step, 5)), ["skipping"] = Setting.Skipping, ["opaqueAlpha"] = Json.Number(Math.Round(Setting.OpaqueAlpha, 5)),
             ["filter"] = Setting.Filter.ToString(), ["layout"] = Setting.Layout.ToString(), ["cut"] = Setting.Cut.ToString(),
-            ["ms"] = System.Math.Round(Milliseconds.Median, 3), ["leastMs"] = System.Math.Round(Milliseconds.Milliseconds.Min(), 3),
-            ["mostMs"] = System.Math.Round(Milliseconds.Milliseconds.Max(), 3), ["errorCodes"] = System.Math.Round(ErrorCodes, 5),
-            ["samplesPerRay"] = System.Math.Round(SamplesPerRay, 2),
+            ["ms"] = Math.Round(Milliseconds.Median, 3), ["leastMs"] = Math.Round(Milliseconds.Milliseconds.Min(), 3),
+            ["mostMs"] = Math.Round(Milliseconds.Milliseconds.Max(), 3), ["errorCodes"] = Math.Round(ErrorCodes, 5),
+            ["samplesPerRay"] = Math.Round(SamplesPerRay, 2),
         };
     }
 }

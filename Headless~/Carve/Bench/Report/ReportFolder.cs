@@ -25,6 +25,8 @@ namespace AnatomyCarve.Headless.Cli.Bench.Report
         public static void Write(
             string folder, IReadOnlyList<Figure> figures, IReadOnlyList<ScalingPoint> scaling, IReadOnlyList<FigureChange> changes, Warnings warnings)
         {
+            // As files have them: then every number is one of JSON's, whatever it was computed as.
+            figures = figures.Select(figure => Figure.FromJson(figure.Quantity.Id, JsonNode.Parse(figure.ToJson().ToJsonString()))).ToArray();
             var images = Directory.CreateDirectory(Path.Combine(folder, "images")).FullName;
             var points = figures.FirstOrDefault(figure => figure.Quantity.Id == "P27")?.Outcome.Settings?["points"] as JsonArray;
             if (points != null) File.WriteAllText(Path.Combine(images, Pareto + ".csv"), ParetoCsv(points));

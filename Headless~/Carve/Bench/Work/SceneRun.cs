@@ -12,12 +12,22 @@ namespace AnatomyCarve.Headless.Cli.Bench.Work
     /// <param name="AntiAlias">anti-aliasing</param>
     /// <param name="SobelNormals">normals</param>
     /// <param name="SkipCells">the skip structure; null = there is none</param>
-    /// <param name="SphereTests">tests of spheres against bricks; null = not counted</param>
+    /// <param name="ClearBricks">bricks that were emptied; null = there is no such stage</param>
+    /// <param name="SpheresInBricks">spheres that bricks were given, one by one; null = not counted</param>
+    /// <param name="SphereBrickTests">tests of spheres against bricks on the CPU; null = not counted</param>
     readonly record struct EditWork(
-        StageStatistics ClipVoxels, StageStatistics AntiAlias, StageStatistics SobelNormals, StageStatistics? SkipCells, long? SphereTests)
+        StageStatistics ClipVoxels, StageStatistics AntiAlias, StageStatistics SobelNormals, StageStatistics? SkipCells, StageStatistics? ClearBricks,
+        long? SpheresInBricks, long? SphereBrickTests)
     {
         /// <summary>Voxels of the stage that processed most.</summary>
-        public long MostVoxels => Math.Max(ClipVoxels.Elements, Math.Max(AntiAlias.Elements, SobelNormals.Elements));
+        public long MostVoxels => new[] { ClipVoxels.Elements, AntiAlias.Elements, SobelNormals.Elements, ClearBricks?.Elements ?? 0 }.Max();
+
+        /// <summary>All tests of spheres, against bricks and then against their voxels; null = not counted.</summary>
+        public long? SphereTests => SpheresInBricks + SphereBrickTests;
+
+        /// <summary>All voxels and cells that kernels worked on.</summary>
+        public long Invocations =>
+            ClipVoxels.Elements + AntiAlias.Elements + SobelNormals.Elements + (ClearBricks?.Elements ?? 0) + (SkipCells?.Elements ?? 0);
 
         public JsonObject ToJson()
         {
@@ -26,7 +36,9 @@ namespace AnatomyCarve.Headless.Cli.Bench.Work
                 ["clipVoxels"] = Stage(ClipVoxels), ["antiAlias"] = Stage(AntiAlias), ["sobelNormals"] = Stage(SobelNormals),
             };
             if (SkipCells is { } cells) json["skipCells"] = Stage(cells);
-            if (SphereTests is { } tests) json["sphereTests"] = tests;
+            if (ClearBricks is { } cleared) json["clearBricks"] = Stage(cleared);
+            if (SpheresInBricks is { } spheres) json["spheresInBricks"] = spheres;
+            if (SphereBrickTests is { } tests) json["sphereBrickTests"] = tests;
             return json;
         }
 
@@ -61,7 +73,8 @@ namespace AnatomyCarve.Headless.Cli.Bench.Work
         {
             var statistics = stage.Renderer.Statistics;
             return new EditWork(
-                statistics.ClipVoxels, statistics.AntiAlias, statistics.SobelNormals, NewCounters.SkipCells(statistics), NewCounters.SphereTests(statistics));
+                statistics.ClipVoxels, statistics.AntiAlias, statistics.SobelNormals, NewCounters.SkipCells(statistics), NewCounters.ClearBricks(statistics),
+                NewCounters.SpheresInBricks(statistics), NewCounters.SphereBrickTests(statistics));
         }
 
         /// <summary>What a scene's move processes, in percent of the volume, in the stage that processes most.</summary>

@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using System.Linq;
 using System.Text.Json.Nodes;
+using AnatomyCarve.Headless.Cli;
 using AnatomyCarve.Headless.Cli.Bench.Measures;
 using AnatomyCarve.Headless.Cli.Bench.Report;
 using AnatomyCarve.Headless.Cli.Bench.Scenes;
@@ -149,6 +150,16 @@ namespace AnatomyCarve.Headless.Tests.CommandLine.Benchmark
             ReportFolder.Replace(path, "# Other", "two");
 
             Assert.That(File.ReadAllText(path), Does.StartWith("# Title\n\nBefore.\n\n<!--").And.EndsWith("-->\n\nAfter.\n").And.Contain("two").And.Not.Contain("one"));
+        }
+
+        [Test]
+        public void Report_OfARun_HasItsFiguresAndEstimates()
+        {
+            var warnings = new Warnings();
+            ReportFolder.Write(folder["report"], FigureFile.Read(folder["figures.json"]), null, null, warnings);
+
+            Assert.That(File.ReadAllText(Path.Combine(folder["report"], "benchmarks.md")), Does.Contain("| P36 | frames from a moved sphere").And.Contain("| P20 | reference |"));
+            Assert.That(File.ReadAllText(Path.Combine(folder["report"], "device-estimates.md")), Does.Contain("did not measure P2 and P6"));
         }
 
         [Test]
