@@ -116,12 +116,12 @@ uint StepBeyondCells(StepRay ray, uint n, uint lastStep, out bool isEmpty)
     return (uint)clamp(beyond, float(n + 1u), float(max(lastStep, n + 1u)));
 }
 
-// Where alpha, accumulated from position begin on (in steps) where it is alpha, reaches _March.z; end if it does not before.
+// Where alpha, accumulated from position begin on (in steps) where it is alpha, reaches _March.z; -1 if it does not before end.
 float FirstVisiblePosition(StepRay ray, float begin, float end, float alpha, inout uint samples)
 {
     float wanted = log2((1.0 - _March.z) / (1.0 - alpha)); // the log of the light that is to pass
     float passing = 0.0;
-    float position = end;
+    float position = -1.0;
     [loop]
     for (float from = begin; from < end; from += 1.0 / _Skip.y)
     {
@@ -169,7 +169,9 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT, flo
         bool isBorder = false; // whether other segments are at the corner as well
         bool seen = false;
         float visibleAt = 0.0;  // in steps
+        uint visibleSegment = NO_SEGMENT; // that of the sample there
         float beforeLast = 0.0; // alpha before the last step but one
+        float logThrough = 0.0; // of the light that has passed so far: weights are differences of its powers, so that rounding does not add up
         uint lastShaded = stepCount;
         uint sampleUntil = _Skip.x > 0.0 ? 0u : stepCount; // in occupied cells up to here
         uint n = 0u;
@@ -214,29 +216,32 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT, flo
                 if (lastShaded + 2u != n)
                     beforeLast = before; // the step before was empty
                 float lengths = (end - begin) * _March.x; // of the step, in reference lengths
-                float logPassing = lengths * log2(max(1.0 - opacity, 1e-30)); // of the light that passes the step
-                float passing = opacity < 1.0 ? exp2(logPassing) : 0.0; // matter of opacity 1 stops all light, however short the step
-                float weight = (1.0 - before) * (1.0 - passing);
+                logThrough += lengths * log2(max(1.0 - opacity, 1e-30));
+                float after = opacity < 1.0 ? 1.0 - exp2(logThrough) : 1.0; // matter of opacity 1 stops all light, however short the step
+                float weight = max(after - before, 0.0);
                 float3 base = segmentColor;
                 [branch]
                 if (isBorder)
                     base = BorderColor(index, segmentColor);
                 result.color.rgb += weight * BlinnPhong(base, BlendedNormal(index), toViewer, toLight);
-                result.color.a = before + weight;
+                result.color.a = after;
                 if (!seen && result.color.a >= _March.z)
                 {
-                    seen = true;
-                    float from = max(begin - 1.0, 0.0);
-                    visibleAt = FirstVisiblePosition(ray, from, end, beforeLast, result.samples);
-                    uint there = SegmentAround(int3(floor(ray.first + visibleAt * ray.perStep)));
-                    result.segment = there != NO_SEGMENT ? there : segment;
+                    visibleSegment = segment;
+                    visibleAt = FirstVisiblePosition(ray, max(begin - 1.0, 0.0), end, beforeLast, result.samples);
+                    seen = visibleAt >= 0.0; // else a later step is to show it, or what is left of the ray does not
+                    visibleAt = seen ? visibleAt : end;
                 }
                 beforeLast = before;
                 lastShaded = n - 1u;
             }
         }
-        if (seen)
+        if (result.color.a >= _March.z)
+        {
+            uint there = SegmentAround(int3(floor(ray.first + visibleAt * ray.perStep)));
+            result.segment = there != NO_SEGMENT ? there : visibleSegment;
             result.depthMm = (nearT + visibleAt * stepT) * mmPerT;
+        }
     }
     return result;
 }

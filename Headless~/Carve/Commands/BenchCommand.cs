@@ -1,8 +1,6 @@
-using System;
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
-using System.IO;
 using System.Linq;
 using System.Text;
 using System.Threading;
@@ -12,26 +10,25 @@ using AnatomyCarve.Headless.Cli.Files;
 
 namespace AnatomyCarve.Headless.Cli.Commands
 {
-    /// <summary>carve bench: how long things take.</summary>
+    /// <summary>carve bench: work, errors, and how long things take.</summary>
     static class BenchCommand
     {
         const int MostRuns = 1000;
         const int MostThreads = 64;
 
-        public static Command Create() => new("bench", "Measures: work, errors, and time.")
+        public static Command Create() => new("bench", "Measures work, errors, and time.")
         {
-            CreateLoad(), BenchAllCommand.Create(),
+            BenchVolumeCommand.CreateRender(),
+            BenchVolumeCommand.CreateEdit(),
+            CreateLoad(),
+            BenchAllCommand.CreateError(),
+            BenchAllCommand.Create(),
+            BenchCompareCommand.Create(),
         };
 
         static Command CreateLoad()
         {
-            var volume = new Argument<string>("VOLUME")
-            {
-                Description = "The intensities, CT or MRI: .nii, .nii.gz or .nrrd. Or --phantom.",
-                Arity = ArgumentArity.ZeroOrOne,
-            };
-            var labels = new Option<string>("--labels") { HelpName = "FILE", Description = "The segmentation on the same grid." };
-            var phantom = PhantomSize.Option();
+            var source = new BenchSource("load");
             var runs = new Option<int>("--runs") { HelpName = "N", DefaultValueFactory = _ => 7, Description = "How often each way is run; medians are shown." };
             runs.Validators.Add(result => CheckRange(result, runs, 1, MostRuns));
             var threads = new Option<int>("--threads")
@@ -43,25 +40,16 @@ namespace AnatomyCarve.Headless.Cli.Commands
             threads.Validators.Add(result => CheckRange(result, threads, 1, MostThreads));
             var report = new Option<string>("--report") { HelpName = "FILE", Description = "Also write all of it as JSON." };
             var noProgress = new Option<bool>("--no-progress") { Description = "No progress bars." };
-            var command = new Command(
-                "load", "Loads a volume from its files and from a packed volume, by turns: time, memory, bytes.")
-            {
-                volume, labels, phantom, runs, threads, report, noProgress,
-            };
-            command.Validators.Add(result =>
-            {
-                var isPhantom = result.GetResult(phantom) != null;
-                if (result.GetValue(volume) == null == !isPhantom) result.AddError("bench load: expected either a VOLUME or --phantom.");
-                if (isPhantom && result.GetValue(labels) != null) result.AddError("--labels: the phantom has its own.");
-            });
+            var command = new Command("load", "Loads a volume from its files and from a packed volume, by turns: time, memory, bytes.");
+            command.Aliases.Add("read");
+            source.AddTo(command);
+            foreach (var option in new Option[] { runs, threads, report, noProgress }) command.Options.Add(option);
             command.SetAction((parsed, cancellation) =>
             {
                 var configuration = parsed.InvocationConfiguration;
                 var reportPath = parsed.GetValue(report);
                 if (reportPath != null) OutputSet.Check(reportPath);
-                var (scan, segmentation) = parsed.GetValue(phantom) is { } size
-                    ? size.Make()
-                    : (ReadContent(parsed.GetValue(volume)), parsed.GetValue(labels) is { } path ? ReadContent(path) : null);
+                var (scan, segmentation) = source.Read(parsed);
                 int[] counts = [.. new[] { 1, parsed.GetValue(threads) }.Distinct()];
                 var comparison = ProgressBars.Show(configuration.Error, !parsed.GetValue(noProgress), bars => bars.Step("loading",
                     progress => LoadBench.Run(scan, segmentation, parsed.GetValue(runs), counts, progress, cancellation)));
@@ -70,12 +58,6 @@ namespace AnatomyCarve.Headless.Cli.Commands
                 return Task.FromResult(0);
             });
             return command;
-        }
-
-        static NamedContent ReadContent(string path)
-        {
-            InputFile.Check(path);
-            return new NamedContent(path, File.ReadAllBytes(path));
         }
 
         static void WriteReport(string path, LoadComparison comparison, NamedContent scan, NamedContent labels, CancellationToken cancellation)

@@ -30,7 +30,7 @@ namespace AnatomyCarve.Carving
         /// Of a neighbourhood less filled than this (its mean between its lowest and highest opacity) no opacity is lowered: it is a structure a few voxels
         /// thin. Beside gaps so thin none is raised (the kernel's THIN).
         /// </summary>
-        public const float Thin = 0.42f;
+        public const float Thin = 0.46f;
 
         /// <summary>From <see cref="Thin"/> on, over so much more, the blend sets in (the kernel's THIN_RANGE).</summary>
         public const float ThinRange = 0.13f;

@@ -50,6 +50,8 @@ namespace AnatomyCarve.Picking
             double alpha = 0;
             double beforeLast = 0; // alpha before the last step but one
             double lastSeen = -2;
+            double last = 0;
+            VectorMm lastSample = default;
             double n = 0;
             while (n < steps && alpha < settings.OpaqueAlpha)
             {
@@ -71,18 +73,21 @@ namespace AnatomyCarve.Picking
                     if (alpha >= settings.FirstVisibleAlpha)
                     {
                         double position = FirstVisiblePosition(field, path, settings, near, stepMm, Math.Max(n - 1, 0), end, beforeLast);
-                        return HitAt(field, ray, path, near + position * stepMm, index);
+                        if (position >= 0)
+                            return HitAt(field, ray, path, near + position * stepMm, index);
+                        last = end; // a later step is to show it, or what is left of the ray does not
+                        lastSample = index;
                     }
                     beforeLast = before;
                     lastSeen = n;
                 }
                 n++;
             }
-            return SegmentHit.None;
+            return last > 0 ? HitAt(field, ray, path, near + last * stepMm, lastSample) : SegmentHit.None;
         }
 
         /// <summary>
-        /// Where alpha, accumulated from position begin on (in steps) where it is alpha, reaches the threshold; end if it does not before. As in the kernel, a
+        /// Where alpha, accumulated from position begin on (in steps) where it is alpha, reaches the threshold; -1 if it does not before end. As in the kernel, a
         /// step is cut into <see cref="RaySettings.PartsOfStep"/> parts, and the place within its part solved in closed form.
         /// </summary>
         static double FirstVisiblePosition(
@@ -99,7 +104,7 @@ namespace AnatomyCarve.Picking
                     return from + Math.Max(0, Math.Min(1, (wanted - passing) / here)) * (to - from);
                 passing += here;
             }
-            return end;
+            return -1;
         }
 
         /// <summary>The log of the light that passes some reference lengths of matter. Matter of opacity 1 stops all, however short they are.</summary>

@@ -16,7 +16,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
         {
         }
 
-        public Quantity Quantity { get; } = new("P12", "colour error from early termination", "1/255", [1]);
+        public Quantity Quantity { get; } = new("P12", "colour error from early termination", "1", [1.0 / 255]);
 
         public Outcome Run(MeasureContext context)
         {
@@ -29,7 +29,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
                 var ended = context.Stage.Renderer.Render(rays).Read().Color;
                 context.Stage.Renderer.Quality.OpaqueAlpha = 1;
                 var whole = context.Stage.Renderer.Render(rays).Read().Color;
-                var difference = 255 * ended.Zip(whole, (a, b) => Math.Max(Math.Abs(a.r - b.r), Math.Max(Math.Abs(a.g - b.g), Math.Abs(a.b - b.b)))).Max();
+                var difference = ended.Zip(whole, (a, b) => Math.Max(Math.Abs(a.r - b.r), Math.Max(Math.Abs(a.g - b.g), Math.Abs(a.b - b.b)))).Max();
                 settings[scene.Name] = scene.ToJson();
                 settings[$"{scene.Name}: largest"] = difference;
                 context.Cancellation.ThrowIfCancellationRequested();

@@ -21,7 +21,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Measures
                 ["what"] = Quantity.What,
                 ["value"] = Outcome.Values == null ? null : Numbers(Outcome.Values.Select(Rounded).ToArray()),
                 ["goal"] = Numbers(Quantity.Goals),
-                ["atLeast"] = Quantity.AtLeastEach == null ? JsonValue.Create(Quantity.AtLeast) : new JsonArray([.. Quantity.AtLeastEach.Select(each => (JsonNode)each)]),
+                ["atLeast"] = Quantity.AtLeastEach is { } each ? new JsonArray(each.Select(one => (JsonNode)one).ToArray()) : Quantity.AtLeast,
                 ["unit"] = Quantity.Unit,
                 ["holds"] = Holds,
                 ["scene"] = Outcome.Scene,
@@ -36,10 +36,9 @@ namespace AnatomyCarve.Headless.Cli.Bench.Measures
         {
             try
             {
-                var each = json["atLeast"] as JsonArray;
-                var quantity = new Quantity(id, (string)json["what"], (string)json["unit"], List(json["goal"]), each == null && ((bool?)json["atLeast"] ?? false))
+                var quantity = new Quantity(id, (string)json["what"], (string)json["unit"], List(json["goal"]), json["atLeast"] is JsonValue one && (bool)one)
                 {
-                    AtLeastEach = each?.Select(value => (bool)value).ToArray(),
+                    AtLeastEach = (json["atLeast"] as JsonArray)?.Select(each => (bool)each).ToArray(),
                 };
                 var values = json["value"] == null ? null : List(json["value"]);
                 if (values != null && values.Length != quantity.Goals.Length) throw new FormatException($"{id} has {values.Length} values for {quantity.Goals.Length} goals");

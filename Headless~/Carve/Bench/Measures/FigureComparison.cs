@@ -66,7 +66,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Measures
             if (now.Outcome.Values == null) return FigureTrend.Lost;
             if (old.Outcome.Values.Length != now.Outcome.Values.Length) return FigureTrend.New;
             var tolerance = now.Quantity.IsTime ? TimeTolerance : Digits;
-            var trends = old.Outcome.Values.Select((a, n) => Trend(a, now.Outcome.Values[n], tolerance, now.Quantity.IsAtLeast(n))).ToArray();
+            var trends = old.Outcome.Values.Select((value, n) => Trend(value, now.Outcome.Values[n], tolerance, now.Quantity.IsAtLeast(n))).ToArray();
             return trends.Contains(FigureTrend.Worse) ? FigureTrend.Worse : trends.Contains(FigureTrend.Better) ? FigureTrend.Better : FigureTrend.Same;
         }
 

@@ -20,8 +20,10 @@ namespace AnatomyCarve.Headless.Cli.Bench.Measures
         public static string Values(double[] values) => string.Join(" / ", values.Select(Number));
 
         public static string Goal(Quantity quantity) => quantity.AtLeastEach == null
-            ? $"{(quantity.AtLeast ? "at least" : "at most")} {Values(quantity.Goals)}"
-            : string.Join(", ", quantity.Goals.Select((goal, n) => $"{(quantity.IsAtLeast(n) ? "at least" : "at most")} {Values([goal])}"));
+            ? $"{Sense(quantity, 0)} {Values(quantity.Goals)}"
+            : string.Join(" / ", quantity.Goals.Select((goal, n) => $"{Sense(quantity, n)} {Number(goal)}"));
+
+        static string Sense(Quantity quantity, int value) => quantity.IsAtLeast(value) ? "at least" : "at most";
 
         public static string Number(double value) => Math.Abs(value) is >= 1000 and < 1e15
             ? value.ToString("0.##", CultureInfo.InvariantCulture)

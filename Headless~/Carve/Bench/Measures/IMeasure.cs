@@ -69,7 +69,5 @@ namespace AnatomyCarve.Headless.Cli.Bench.Measures
         /// <summary>How often each way of a comparison of times is run; medians count.</summary>
         public int Runs { get; init; } = 5;
 
-        /// <summary>Where a measure may write tables and pictures for the report; null = nowhere.</summary>
-        public string ReportFolder { get; init; }
     }
 }

@@ -17,7 +17,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Pareto
             stage.Renderer.Layout = TextureLayout.Compact;
             stage.Show(scene);
             var quality = new RenderQuality { Step = RenderQuality.MinStep, OpaqueAlpha = 1, Filter = OpacityFilter.Exact, CutMode = cut };
-            NewCounters.SetSkipping(quality, false);
+            quality.SkipEmptySpace = false;
             stage.Renderer.Quality = quality;
             return stage.Render(scene.Rays(side, side)).Read();
         }

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Text.Json.Nodes;
@@ -29,7 +30,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Pareto
         /// <summary>Every setting: binary cuts over the whole grid, and the presets. By layout, as another one takes the volume to the GPU anew.</summary>
         public static IReadOnlyList<Setting> All()
         {
-            var skipping = NewCounters.CanSkip ? new[] { true, false } : [false];
+            var skipping = new[] { true, false };
             var presets = RenderQuality.Names.Select(name => OfPreset(name, RenderQuality.Named(name))).ToList();
             var grid = from step in Steps
                        from skip in skipping
@@ -42,12 +43,12 @@ namespace AnatomyCarve.Headless.Cli.Bench.Pareto
         public RenderQuality ToQuality()
         {
             var quality = new RenderQuality { Step = Step, OpaqueAlpha = OpaqueAlpha, Filter = Filter, CutMode = Cut };
-            NewCounters.SetSkipping(quality, Skipping);
+            quality.SkipEmptySpace = Skipping;
             return quality;
         }
 
         static Setting OfPreset(string name, RenderQuality quality) =>
-            new(quality.Step, NewCounters.CanSkip, quality.OpaqueAlpha, quality.Filter, TextureLayout.Compact, quality.CutMode) { Preset = name };
+            new(quality.Step, quality.SkipEmptySpace, quality.OpaqueAlpha, quality.Filter, TextureLayout.Compact, quality.CutMode) { Preset = name };
     }
 
     /// <summary>What a setting costs and how far its picture is off.</summary>
@@ -62,11 +63,11 @@ namespace AnatomyCarve.Headless.Cli.Bench.Pareto
 
         public JsonObject ToJson() => new()
         {
-            ["preset"] = Setting.Preset, ["step"] = Setting.Step, ["skipping"] = Setting.Skipping, ["opaqueAlpha"] = Json.Number(System.Math.Round(Setting.OpaqueAlpha, 5)),
+            ["preset"] = Setting.Preset, ["step"] = Json.Number(Math.Round(Setting.Step, 5)), ["skipping"] = Setting.Skipping, ["opaqueAlpha"] = Json.Number(Math.Round(Setting.OpaqueAlpha, 5)),
             ["filter"] = Setting.Filter.ToString(), ["layout"] = Setting.Layout.ToString(), ["cut"] = Setting.Cut.ToString(),
-            ["ms"] = System.Math.Round(Milliseconds.Median, 3), ["leastMs"] = System.Math.Round(Milliseconds.Milliseconds.Min(), 3),
-            ["mostMs"] = System.Math.Round(Milliseconds.Milliseconds.Max(), 3), ["errorCodes"] = System.Math.Round(ErrorCodes, 5),
-            ["samplesPerRay"] = System.Math.Round(SamplesPerRay, 2),
+            ["ms"] = Math.Round(Milliseconds.Median, 3), ["leastMs"] = Math.Round(Milliseconds.Milliseconds.Min(), 3),
+            ["mostMs"] = Math.Round(Milliseconds.Milliseconds.Max(), 3), ["errorCodes"] = Math.Round(ErrorCodes, 5),
+            ["samplesPerRay"] = Math.Round(SamplesPerRay, 2),
         };
     }
 }

@@ -31,10 +31,11 @@ namespace AnatomyCarve.Headless.Cli.Bench.Pareto
             var references = new Dictionary<CutMode, PictureData>();
             foreach (var cut in new[] { CutMode.Binary, CutMode.Smooth }) references[cut] = ConvergedPicture.Of(context.Stage, scene, cut, Side);
             var settings = Setting.All();
+            var met = VolumeBox.CountRays(scene.Rays(Side, Side), scene.Volume.Geometry);
             var points = settings.Select((setting, number) =>
             {
                 context.Progress.Report((float)number / settings.Count);
-                return Measure(context, scene, setting, references[setting.Cut]);
+                return Measure(context, scene, setting, references[setting.Cut], met);
             }).ToArray();
             context.Stage.Renderer.Layout = TextureLayout.Automatic;
             var off = points.Where(point => point.Setting.Preset != null && !point.IsOnFront(points, TimeTolerance, ErrorTolerance)).ToArray();
@@ -46,7 +47,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Pareto
             });
         }
 
-        static SettingPoint Measure(MeasureContext context, BenchScene scene, Setting setting, PictureData reference)
+        static SettingPoint Measure(MeasureContext context, BenchScene scene, Setting setting, PictureData reference, long raysMet)
         {
             var stage = context.Stage;
             if (stage.Renderer.Layout != setting.Layout) stage.Renderer.Layout = setting.Layout;
@@ -58,7 +59,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Pareto
             var timing = Turns.Measure(quiet, Math.Min(context.Runs, MostRuns), new TimedWay("rays", null, () => stage.Render(rays.Next())))[0];
             var error = ConvergedPicture.RmseCodes(stage.Render(rays.Next()).Read(), reference);
             stage.Renderer.CountSamples = true;
-            var samples = (double)stage.Render(rays.Next()).ReadSampleCount() / VolumeBox.CountRays(scene.Rays(Side, Side), scene.Volume.Geometry);
+            var samples = (double)stage.Render(rays.Next()).ReadSampleCount() / raysMet;
             stage.Renderer.CountSamples = false;
             return new SettingPoint(setting, timing, error, samples);
         }

@@ -80,13 +80,22 @@ namespace AnatomyCarve.Headless.Cli.Bench.Scenes
             const double Plastic = 1.22074408460575947536;
             var geometry = Volume.Geometry;
             var mask = SegmentMask.All(Volume.Segments.Count);
-            for (var n = 1; n <= text.Crowd; n++)
+            var made = 0;
+            for (var n = 1; made < text.Crowd; n++)
             {
-                double Part(int power) => n / Math.Pow(Plastic, power) % 1 - 0.5;
-                var place = new PointMm(
-                    (geometry.SizeI - 1) * (Part(1) + 0.5), (geometry.SizeJ - 1) * (Part(2) + 0.5), (geometry.SizeK - 1) * (Part(3) + 0.5));
-                yield return new ClipSphere(geometry.IjkToLps.TransformPoint(place), text.CrowdRadiusMm, mask);
+                double Part(int power) => n / Math.Pow(Plastic, power) % 1;
+                var place = geometry.IjkToLps.TransformPoint(new PointMm(
+                    (geometry.SizeI - 1) * Part(1), (geometry.SizeJ - 1) * Part(2), (geometry.SizeK - 1) * Part(3)));
+                if (text.CrowdAwayMm is { } away && IsNear(place, away)) continue;
+                made++;
+                yield return new ClipSphere(place, text.CrowdRadiusMm, mask);
             }
+        }
+
+        bool IsNear(PointMm place, double away)
+        {
+            var last = Sphere(text.Spheres[^1]);
+            return (place - last.CentreLps).Length < last.RadiusMm + text.CrowdRadiusMm + away;
         }
     }
 }

@@ -123,6 +123,9 @@ namespace AnatomyCarve.Headless.Cli.Bench.Scenes
 
         public double CrowdRadiusMm { get; init; }
 
+        /// <summary>How far the crowd's spheres stay away from the last sphere's surface; absent = they are everywhere.</summary>
+        public double? CrowdAwayMm { get; init; }
+
         /// <summary>How far the active sphere moves, LPS.</summary>
         public double[] MoveMm { get; init; }
 

@@ -75,14 +75,14 @@ namespace AnatomyCarve.Headless.Cli.Bench.Time
             stage.Show(scene);
             var (lean, plain) = (RenderQuality.Balanced(), RenderQuality.Balanced());
             plain.OpaqueAlpha = 1;
-            NewCounters.SetSkipping(plain, false);
+            plain.SkipEmptySpace = false;
             stage.Update();
             var rays = new FreshRays(scene.Rays());
             TimedWay Way(string name, RenderQuality quality) => new(name, _ => stage.Renderer.Quality = quality, () => stage.Render(rays.Next()));
             var timings = Turns.Measure(context, Way("skipping and termination", lean), Way("neither", plain));
             return new Outcome([timings[0].Median / timings[1].Median], Scene, new JsonObject
             {
-                ["times"] = Turns.ToJson(timings), ["size"] = new JsonArray(scene.Width, scene.Height), ["quality"] = "balanced", ["canSkip"] = NewCounters.CanSkip,
+                ["times"] = Turns.ToJson(timings), ["size"] = new JsonArray(scene.Width, scene.Height), ["quality"] = "balanced",
             });
         }
     }

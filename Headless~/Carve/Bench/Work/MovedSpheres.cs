@@ -25,9 +25,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Work
                 stage.Render(scene.Rays(64, 64));
             }
 
-            var work = SceneRun.Work(stage);
-            var invocations = work.ClipVoxels.Elements + work.AntiAlias.Elements + work.SobelNormals.Elements + (work.SkipCells?.Elements ?? 0);
-            return new Outcome([(double)invocations / Frames], Scene, new JsonObject { ["frames"] = Frames, ["volumeDispatches"] = stage.Renderer.Statistics.VolumeDispatches });
+            return new Outcome([(double)SceneRun.Work(stage).Invocations / Frames], Scene, new JsonObject { ["frames"] = Frames, ["volumeDispatches"] = stage.Renderer.Statistics.VolumeDispatches });
         }
     }
 

@@ -6,9 +6,9 @@ namespace AnatomyCarve.Headless.Cli.Bench.Work
 {
     /// <summary>What the rays of a scene's picture do, per ray that meets the volume's box.</summary>
     /// <param name="Samples">opacity samples</param>
-    /// <param name="Lookups">look-ups in the skip structure; null = there is none</param>
+    /// <param name="Lookups">look-ups in the skip structure</param>
     /// <param name="Rays">the rays that meet the box</param>
-    readonly record struct RayWork(double Samples, double? Lookups, long Rays)
+    readonly record struct RayWork(double Samples, double Lookups, long Rays)
     {
         public static readonly string[] Scenes = ["demo-full", "demo-shell", "demo-sparse"];
 
@@ -23,19 +23,19 @@ namespace AnatomyCarve.Headless.Cli.Bench.Work
             stage.Renderer.CountSamples = true;
             if (plain)
             {
-                NewCounters.SetSkipping(stage.Renderer.Quality, false);
+                stage.Renderer.Quality.SkipEmptySpace = false;
                 stage.Renderer.Quality.OpaqueAlpha = 1;
             }
 
             var rays = scene.Rays();
             var picture = stage.Render(rays);
             var met = VolumeBox.CountRays(rays, scene.Volume.Geometry);
-            return new RayWork((double)picture.ReadSampleCount() / met, NewCounters.ReadLookupCount(picture) is { } count ? (double)count / met : null, met);
+            return new RayWork((double)picture.ReadSampleCount() / met, (double)picture.ReadLookupCount() / met, met);
         }
 
         public static JsonObject Settings(MeasureContext context) => new()
         {
-            ["stepReferenceLengths"] = RenderQuality.Balanced().Step, ["quality"] = "balanced", ["skipping"] = NewCounters.CanSkip,
+            ["stepReferenceLengths"] = RenderQuality.Balanced().Step, ["quality"] = "balanced", ["skipping"] = true,
         };
     }
 
@@ -65,10 +65,9 @@ namespace AnatomyCarve.Headless.Cli.Bench.Work
         public Outcome Run(MeasureContext context)
         {
             var works = RayWork.Scenes.Select(name => RayWork.Of(context, name)).ToArray();
-            if (works.Any(work => work.Lookups == null)) return Outcome.NotMeasured(NewCounters.NoSkipping);
             var settings = RayWork.Settings(context);
-            settings["scenes"] = new JsonArray(works.Select(work => Json.Number(work.Lookups.Value)).ToArray());
-            return new Outcome([works.Max(work => work.Lookups.Value)], string.Join(Outcome.Separator, RayWork.Scenes), settings);
+            settings["scenes"] = new JsonArray(works.Select(work => Json.Number(work.Lookups)).ToArray());
+            return new Outcome([works.Max(work => work.Lookups)], string.Join(Outcome.Separator, RayWork.Scenes), settings);
         }
     }
 }

@@ -11,24 +11,29 @@ namespace AnatomyCarve.Headless.Cli.Bench.Work
     /// <param name="ClipVoxels">Eq. 1 and transfer function</param>
     /// <param name="AntiAlias">anti-aliasing</param>
     /// <param name="SobelNormals">normals</param>
-    /// <param name="SkipCells">the skip structure; null = there is none</param>
-    /// <param name="SphereTests">tests of spheres against bricks; null = not counted</param>
+    /// <param name="SkipCells">the skip structure</param>
+    /// <param name="ClearBricks">bricks that were emptied</param>
+    /// <param name="SpheresInBricks">spheres that bricks were given, one by one</param>
+    /// <param name="SphereBrickTests">tests of spheres against bricks on the CPU</param>
     readonly record struct EditWork(
-        StageStatistics ClipVoxels, StageStatistics AntiAlias, StageStatistics SobelNormals, StageStatistics? SkipCells, long? SphereTests)
+        StageStatistics ClipVoxels, StageStatistics AntiAlias, StageStatistics SobelNormals, StageStatistics SkipCells, StageStatistics ClearBricks,
+        long SpheresInBricks, long SphereBrickTests)
     {
         /// <summary>Voxels of the stage that processed most.</summary>
-        public long MostVoxels => Math.Max(ClipVoxels.Elements, Math.Max(AntiAlias.Elements, SobelNormals.Elements));
+        public long MostVoxels => new[] { ClipVoxels.Elements, AntiAlias.Elements, SobelNormals.Elements, ClearBricks.Elements }.Max();
 
-        public JsonObject ToJson()
+        /// <summary>All tests of spheres, against bricks and then against their voxels.</summary>
+        public long SphereTests => SpheresInBricks + SphereBrickTests;
+
+        /// <summary>All voxels and cells that kernels worked on.</summary>
+        public long Invocations =>
+            ClipVoxels.Elements + AntiAlias.Elements + SobelNormals.Elements + ClearBricks.Elements + SkipCells.Elements;
+
+        public JsonObject ToJson() => new()
         {
-            var json = new JsonObject
-            {
-                ["clipVoxels"] = Stage(ClipVoxels), ["antiAlias"] = Stage(AntiAlias), ["sobelNormals"] = Stage(SobelNormals),
-            };
-            if (SkipCells is { } cells) json["skipCells"] = Stage(cells);
-            if (SphereTests is { } tests) json["sphereTests"] = tests;
-            return json;
-        }
+            ["clipVoxels"] = Stage(ClipVoxels), ["antiAlias"] = Stage(AntiAlias), ["sobelNormals"] = Stage(SobelNormals), ["skipCells"] = Stage(SkipCells),
+            ["clearBricks"] = Stage(ClearBricks), ["spheresInBricks"] = SpheresInBricks, ["sphereBrickTests"] = SphereBrickTests,
+        };
 
         static JsonObject Stage(StageStatistics stage) => new() { ["dispatches"] = stage.Dispatches, ["bricks"] = stage.Bricks, ["elements"] = stage.Elements };
     }
@@ -61,7 +66,8 @@ namespace AnatomyCarve.Headless.Cli.Bench.Work
         {
             var statistics = stage.Renderer.Statistics;
             return new EditWork(
-                statistics.ClipVoxels, statistics.AntiAlias, statistics.SobelNormals, NewCounters.SkipCells(statistics), NewCounters.SphereTests(statistics));
+                statistics.ClipVoxels, statistics.AntiAlias, statistics.SobelNormals, statistics.SkipCells, statistics.ClearBricks,
+                statistics.SpheresInBricks, statistics.SphereBrickTests);
         }
 
         /// <summary>What a scene's move processes, in percent of the volume, in the stage that processes most.</summary>

@@ -17,7 +17,6 @@ namespace AnatomyCarve.Headless.Cli.Bench.Work
 
         public Outcome Run(MeasureContext context)
         {
-            if (!NewCounters.CanSkip) return Outcome.NotMeasured(NewCounters.NoSkipping);
             long differing = 0;
             var pictures = 0;
             foreach (var name in Scenes)
@@ -36,7 +35,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Work
 
         static PictureData Read(BenchStage stage, PictureRays rays, bool skipping)
         {
-            NewCounters.SetSkipping(stage.Renderer.Quality, skipping);
+            stage.Renderer.Quality.SkipEmptySpace = skipping;
             return stage.Render(rays).Read();
         }
 

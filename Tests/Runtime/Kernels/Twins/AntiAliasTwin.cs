@@ -53,7 +53,7 @@ namespace AnatomyCarve.Tests.Kernels
                 weights += weight;
             });
             double change = sum / weights - centre, filled = (mean - low) / (high - low);
-            double kept = Math.Min(1, Math.Max(0, ((change < 0 ? filled : 1 - filled) - 0.42) / 0.13));
+            double kept = Math.Min(1, Math.Max(0, ((change < 0 ? filled : 1 - filled) - 0.46) / 0.13));
             return centre + Strength * kept * change;
         }
 

@@ -14,6 +14,7 @@ namespace AnatomyCarve.Tests.Kernels
             public int Segment = RayScene.NoSegment;
             public bool ColorUndecided, VisibilityUndecided, SegmentUndecided;
             public int Samples;
+            public bool Found; // the first visible point, by the finer sum
         }
 
         const double HairVoxels = 1e-4;
@@ -81,9 +82,11 @@ namespace AnatomyCarve.Tests.Kernels
             ray.ColorUndecided |= (undecided || turnUndecided) && weight > 1e-3;
             ray.ColorUndecided |= Math.Abs(after - scene.OpaqueAlpha) < HairAlpha;
             ray.VisibilityUndecided |= Math.Abs(after - scene.VisibleAlpha) < HairAlpha;
-            if (before >= scene.VisibleAlpha || after < scene.VisibleAlpha)
+            if (ray.Found || after < scene.VisibleAlpha)
                 return;
-            double t = near + stepT * VisiblePosition(ray, start, velocity, near, stepT, Math.Max(begin - 1, 0), end, beforeLast);
+            double position = VisiblePosition(ray, start, velocity, near, stepT, Math.Max(begin - 1, 0), end, beforeLast);
+            ray.Found = position >= 0;
+            double t = near + stepT * (ray.Found ? position : end);
             ray.DepthMm = t * mmPerT;
             ray.Segment = SegmentAround(At(start, velocity, t), out ray.SegmentUndecided);
             if (ray.Segment == RayScene.NoSegment)
@@ -102,6 +105,7 @@ namespace AnatomyCarve.Tests.Kernels
                 double opacity = Trilinear(At(start, velocity, near + 0.5 * (from + to) * stepT));
                 ray.Samples++;
                 double lengths = (to - from) * scene.Step, after = 1 - (1 - alpha) * Math.Pow(1 - opacity, lengths);
+                ray.VisibilityUndecided |= Math.Abs(after - scene.VisibleAlpha) < HairAlpha && to >= end;
                 if (after >= scene.VisibleAlpha)
                 {
                     double share = opacity < 1 ? Math.Log((1 - scene.VisibleAlpha) / (1 - alpha)) / (lengths * Math.Log(1 - opacity)) : 0;
@@ -109,7 +113,7 @@ namespace AnatomyCarve.Tests.Kernels
                 }
                 alpha = after;
             }
-            return end;
+            return -1;
         }
 
         static void Clip(double start, double velocity, double half, ref double near, ref double far, double middle)

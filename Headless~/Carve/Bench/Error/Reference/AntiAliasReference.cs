@@ -10,7 +10,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error.Reference
     {
         const double FlatLimit = 0.33;
         const double Tie = 0.99999;
-        const double Thin = 0.42, ThinRange = 0.13;
+        const double Thin = 0.46, ThinRange = 0.13;
 
         public static double At(ReferenceField field, int i, int j, int k)
         {

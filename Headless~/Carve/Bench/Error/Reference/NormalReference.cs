@@ -10,13 +10,13 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error.Reference
     {
         const int Reach = 3;
 
-        /// <summary>Smaller gradients have no direction.</summary>
-        const double NoGradient = 0.5 / (255 * 32);
+        /// <summary>Smaller gradients are rounding.</summary>
+        const double NoGradient = 1e-12;
 
         /// <summary>The cosine of the angle between gradient and sphere within which a cut has the sphere's normal.</summary>
         const double Agreement = 0.9;
 
-        static readonly double[] Smoothing = [1, 0.8226, 0.4578, 0.1724], Derivative = [0, 0.8570, 1.0788, 0.7481];
+        static readonly double[] Smoothing = [1, 0.8226, 0.4578, 0.1724], Derivative = [0, 0.8825, 1.2131, 0.9740];
 
         static readonly double Sum = 2 * (Derivative[1] + 2 * Derivative[2] + 3 * Derivative[3]) * Math.Pow(1 + 2 * (Smoothing[1] + Smoothing[2] + Smoothing[3]), 2);
 

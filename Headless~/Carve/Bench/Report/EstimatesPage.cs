@@ -1,0 +1,69 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
+using System.Text;
+using System.Text.Json.Nodes;
+using AnatomyCarve.Headless.Cli.Bench.Measures;
+
+namespace AnatomyCarve.Headless.Cli.Bench.Report
+{
+    /// <summary>
+    /// What a frame moves and samples, from counts that do not depend on the machine, against what devices are said to do per second. The generated part of a
+    /// page that says where the numbers come from.
+    /// </summary>
+    static class EstimatesPage
+    {
+        const double Giga = 1e9;
+
+        /// <summary>Bytes that a stage reads and writes per voxel, with its tiles' margins and without caches.</summary>
+        const double ClipBytes = 2 + 1 + 1, AntiAliasBytes = 1.95 + 1, NormalsBytes = 1.95 + 2;
+
+        /// <summary>Bytes that a sample reads: eight opacities. Most come from caches; as if none did.</summary>
+        const double SampleBytes = 8;
+
+        /// <summary>What the surface's samples of a ray read besides: 64 raw opacities, eight normals, a label.</summary>
+        const double SurfaceBytes = 64 + 16 + 1, SurfaceSamplesPerRay = 4;
+
+        /// <param name="Name">the device</param>
+        /// <param name="GigabytesPerSecond">to memory</param>
+        /// <param name="GigatexelsPerSecond">filtered texels; an assumption where it is not published</param>
+        /// <param name="Pixels">of both eyes, or of the screen</param>
+        /// <param name="FramesPerSecond">wanted</param>
+        sealed record Device(string Name, double GigabytesPerSecond, double GigatexelsPerSecond, double Pixels, double FramesPerSecond);
+
+        // The page says where these come from.
+        static readonly Device[] Devices =
+        [
+            new("Quest 3 (Snapdragon XR2 Gen 2)", 64, 17.6, 2 * 1680.0 * 1760, 72),
+            new("desktop (GeForce RTX 3060)", 360, 199, 2560.0 * 1440, 90),
+        ];
+
+        public static string Text(IReadOnlyList<Figure> figures)
+        {
+            var text = new StringBuilder();
+            var moved = figures.FirstOrDefault(figure => figure.Quantity.Id == "P2")?.Outcome.Settings?["demo-move-40"];
+            var samples = figures.FirstOrDefault(figure => figure.Quantity.Id == "P6")?.Outcome.Values;
+            if (moved == null || samples == null) return "The run did not measure P2 and P6, from which this is derived.";
+            var volumeBytes = Elements(moved, "clipVoxels") * ClipBytes + Elements(moved, "antiAlias") * AntiAliasBytes + Elements(moved, "sobelNormals") * NormalsBytes;
+            text.AppendLine(string.Create(CultureInfo.InvariantCulture,
+                $"A sphere of 40 mm moves 5 mm in the scene `demo-move-40`: {volumeBytes / 1e6:0.0} MB in the volume's kernels. Rays take {samples.Max():0.0} samples each in the scene "
+                + $"with most (P6); every pixel is taken to have a ray that meets the volume.\n"));
+            text.AppendLine("| device | frame | bytes a frame | at the bandwidth | texels a frame | at the fill rate | share of a frame |\n| --- | --- | --- | --- | --- | --- | --- |");
+            foreach (var device in Devices) text.AppendLine(Row(device, volumeBytes, samples.Max()));
+            return text.ToString().Replace("\r\n", "\n");
+        }
+
+        static double Elements(JsonNode work, string stage) => (double)work[stage]["elements"];
+
+        static string Row(Device device, double volumeBytes, double samplesPerRay)
+        {
+            var texels = device.Pixels * (8 * samplesPerRay + SurfaceBytes * SurfaceSamplesPerRay / 2);
+            var bytes = volumeBytes + device.Pixels * (SampleBytes * samplesPerRay + SurfaceBytes * SurfaceSamplesPerRay);
+            double frame = 1000 / device.FramesPerSecond, memory = 1000 * bytes / (device.GigabytesPerSecond * Giga), fill = 1000 * texels / (device.GigatexelsPerSecond * Giga);
+            return string.Create(CultureInfo.InvariantCulture,
+                $"| {device.Name} | {frame:0.0} ms ({device.FramesPerSecond:0} Hz, {device.Pixels / 1e6:0.0} Mpixel) | {bytes / Giga:0.00} GB | {memory:0.0} ms | {texels / Giga:0.00} G | {fill:0.0} ms "
+                + $"| {100 * Math.Max(memory, fill) / frame:0} % |");
+        }
+    }
+}
