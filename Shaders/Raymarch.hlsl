@@ -228,7 +228,9 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT, flo
                 if (!seen && result.color.a >= _March.z)
                 {
                     visibleSegment = segment;
-                    visibleAt = FirstVisiblePosition(ray, max(begin - 1.0, 0.0), end, beforeLast, result.samples);
+                    visibleAt = begin; // where an earlier step should have shown it and did not, quite
+                    if (beforeLast < _March.z)
+                        visibleAt = FirstVisiblePosition(ray, max(begin - 1.0, 0.0), end, beforeLast, result.samples);
                     seen = visibleAt >= 0.0; // else a later step is to show it, or what is left of the ray does not
                     visibleAt = seen ? visibleAt : end;
                 }

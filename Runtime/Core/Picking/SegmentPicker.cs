@@ -72,7 +72,9 @@ namespace AnatomyCarve.Picking
                     alpha = before + (1 - before) * (1 - Math.Exp(LogPassing(opacity, (end - n) * settings.StepReference)));
                     if (alpha >= settings.FirstVisibleAlpha)
                     {
-                        double position = FirstVisiblePosition(field, path, settings, near, stepMm, Math.Max(n - 1, 0), end, beforeLast);
+                        double position = beforeLast < settings.FirstVisibleAlpha
+                            ? FirstVisiblePosition(field, path, settings, near, stepMm, Math.Max(n - 1, 0), end, beforeLast)
+                            : n; // where an earlier step should have shown it and did not, quite
                         if (position >= 0)
                             return HitAt(field, ray, path, near + position * stepMm, index);
                         last = end; // a later step is to show it, or what is left of the ray does not

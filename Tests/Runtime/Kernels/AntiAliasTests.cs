@@ -73,7 +73,24 @@ namespace AnatomyCarve.Tests.Kernels
             byte[] result = Run(grid, codes, new AntiAliasTwin(grid, codes));
             Assert.That(result[grid.Index(4, 10, 10)], Is.EqualTo(255), "inside the face");
             Assert.That(result[grid.Index(3, 10, 10)], Is.EqualTo(0), "outside the face");
-            Assert.That(result[grid.Index(4, 4, 10)], Is.InRange(1, 254), "an edge is softened");
+        }
+
+        [Test]
+        public void AntiAlias_StepsOfAnObliqueFace_AreSoftened()
+        {
+            KernelGrid grid = KernelGrid.Aligned(24, 24, 8);
+            byte[] codes = OpacityFields.Fill(grid, (i, j, k) => i + 3 * j < 48 ? 255 : 0);
+            byte[] result = Run(grid, codes, new AntiAliasTwin(grid, codes));
+            int softened = 0, steps = 0;
+            for (int i = 3; i < 21; i++)
+                for (int j = 1; j < 23; j++)
+                    if (codes[grid.Index(i, j, 4)] != codes[grid.Index(i + 1, j, 4)])
+                    {
+                        steps++;
+                        softened += result[grid.Index(i, j, 4)] < 255 || result[grid.Index(i + 1, j, 4)] > 0 ? 1 : 0;
+                    }
+            Assert.That(steps, Is.GreaterThan(4));
+            Assert.That(softened, Is.EqualTo(steps));
         }
 
         [Test]

@@ -182,6 +182,8 @@ namespace AnatomyCarve.Tests.Kernels
 
         public void Dispatch(int groupsX, int groupsY)
         {
+            foreach (LocalKeyword any in shader.keywordSpace.keywords)
+                shader.DisableKeyword(any); // renderers share the shader, and leave it as they used it last
             foreach (string keyword in keywords)
                 if (keyword != null)
                     shader.EnableKeyword(keyword);

@@ -84,7 +84,10 @@ namespace AnatomyCarve.Tests.Kernels
             ray.VisibilityUndecided |= Math.Abs(after - scene.VisibleAlpha) < HairAlpha;
             if (ray.Found || after < scene.VisibleAlpha)
                 return;
-            double position = VisiblePosition(ray, start, velocity, near, stepT, Math.Max(begin - 1, 0), end, beforeLast);
+            double position = beforeLast < scene.VisibleAlpha
+                ? VisiblePosition(ray, start, velocity, near, stepT, Math.Max(begin - 1, 0), end, beforeLast)
+                : begin;
+            ray.VisibilityUndecided |= Math.Abs(beforeLast - scene.VisibleAlpha) < HairAlpha;
             ray.Found = position >= 0;
             double t = near + stepT * (ray.Found ? position : end);
             ray.DepthMm = t * mmPerT;
