@@ -206,9 +206,20 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT, flo
                 if (any(corner != lookedUp))
                 {
                     lookedUp = corner;
-                    segment = SegmentAround(corner);
+                    segment = SegmentOfEight(corner, isBorder);
                     segmentColor = SegmentColor(segment);
-                    isBorder = segment != NO_SEGMENT && IsBorder(corner, segment);
+                }
+                uint shown = segment;
+                float3 base = segmentColor;
+                [branch]
+                if (segment == NO_SEGMENT) // anti-aliasing alone put something here
+                {
+                    bool ignored;
+                    shown = SegmentOfEight(int3(floor(index + ray.perStep / _March.x)), ignored);
+                    [branch]
+                    if (shown == NO_SEGMENT)
+                        shown = SegmentAround(corner);
+                    base = SegmentColor(shown);
                 }
                 float before = result.color.a;
                 if (before == 0.0)
@@ -219,7 +230,6 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT, flo
                 logThrough += lengths * log2(max(1.0 - opacity, 1e-30));
                 float after = opacity < 1.0 ? 1.0 - exp2(logThrough) : 1.0; // matter of opacity 1 stops all light, however short the step
                 float weight = max(after - before, 0.0);
-                float3 base = segmentColor;
                 [branch]
                 if (isBorder)
                     base = BorderColor(index, segmentColor);
@@ -227,7 +237,7 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT, flo
                 result.color.a = after;
                 if (!seen && result.color.a >= _March.z)
                 {
-                    visibleSegment = segment;
+                    visibleSegment = shown;
                     visibleAt = begin; // where an earlier step should have shown it and did not, quite
                     if (beforeLast < _March.z)
                         visibleAt = FirstVisiblePosition(ray, max(begin - 1.0, 0.0), end, beforeLast, result.samples);

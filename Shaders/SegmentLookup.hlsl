@@ -4,7 +4,8 @@
 #include "VolumeFields.hlsl"
 
 // Which segment a point between voxels belongs to: that of the most opaque of the eight voxels around it, by the opacity before
-// anti-aliasing; where all eight are empty (filters spread opacity), of the 4x4x4 around it. Ties: the lowest index, i fastest.
+// anti-aliasing; where all eight are empty (filters spread opacity), of the 4x4x4 around it. Ties: the lowest index, i fastest. The colour of a sample
+// all of whose eight are empty is looked for one reference length further along its ray first, which is cheaper.
 
 #define NO_SEGMENT 0xFFFFu
 
@@ -32,31 +33,41 @@ int3 MostOpaqueVoxel(int3 first, uint bits, out float opacity)
     return best;
 }
 
-// Segment at a point whose index coordinates round down to corner; NO_SEGMENT when all 64 voxels are empty.
-uint SegmentAround(int3 corner)
-{
-    float opacity;
-    int3 voxel = MostOpaqueVoxel(corner, 1u, opacity);
-    if (opacity == 0.0)
-        voxel = MostOpaqueVoxel(corner - 1, 2u, opacity);
-    uint segment = NO_SEGMENT;
-    if (opacity > 0.0)
-        segment = _Labels.Load(int4(voxel, 0));
-    return segment;
-}
-
-// Whether any of the eight voxels of a corner that are not empty belongs to another segment.
-bool IsBorder(int3 corner, uint segment)
+// Segment of the most opaque of the eight voxels of a corner; NO_SEGMENT when all are empty. isBorder: whether those that are not empty have several.
+uint SegmentOfEight(int3 corner, out bool isBorder)
 {
     int3 last = VolumeDims() - 1;
-    bool differs = false;
+    uint segment = NO_SEGMENT, least = NO_SEGMENT, most = 0u;
+    float highest = 0.0;
     [unroll]
     for (int n = 0; n < 8; n++)
     {
         int3 voxel = clamp(corner + int3(n & 1, (n >> 1) & 1, n >> 2), int3(0, 0, 0), last);
-        differs = differs || (_Labels.Load(int4(voxel, 0)) != segment && OpacityOf(voxel) > 0.0);
+        float opacity = OpacityOf(voxel);
+        uint own = _Labels.Load(int4(voxel, 0));
+        segment = opacity > highest ? own : segment;
+        highest = max(highest, opacity);
+        least = opacity > 0.0 ? min(least, own) : least;
+        most = opacity > 0.0 ? max(most, own) : most;
     }
-    return differs;
+    isBorder = highest > 0.0 && least != most;
+    return segment;
+}
+
+// The same; where all eight are empty, of the 4x4x4 around; NO_SEGMENT when all 64 are.
+uint SegmentAround(int3 corner)
+{
+    bool isBorder;
+    uint segment = SegmentOfEight(corner, isBorder);
+    [branch]
+    if (segment == NO_SEGMENT)
+    {
+        float opacity;
+        int3 voxel = MostOpaqueVoxel(corner - 1, 2u, opacity);
+        if (opacity > 0.0)
+            segment = _Labels.Load(int4(voxel, 0));
+    }
+    return segment;
 }
 
 // Linear colour of a segment; NO_SEGMENT has the colour of segment 0.

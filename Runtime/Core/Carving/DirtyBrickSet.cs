@@ -23,7 +23,8 @@ namespace AnatomyCarve.Carving
         readonly CentredGrid grid;
         readonly SphereReach reach;
         readonly SphereDifference difference = new SphereDifference();
-        readonly List<Changed> removed = new List<Changed>(), added = new List<Changed>();
+        readonly List<Changed> removed = new List<Changed>(), added = new List<Changed>(); // whole spheres
+        readonly List<Changed> remasked = new List<Changed>(), none = new List<Changed>(); // spheres of both, with the segments that only one of them clips
         readonly BrickSet touched, dirty; // touched: without a halo
         IReadOnlyList<ClipSphere> lastBefore, lastAfter;
         CutMode lastCut;
@@ -140,6 +141,7 @@ namespace AnatomyCarve.Carving
             Compute(before, after, cut, CarvingReach.NormalsVoxels);
             AddSurfaces(removed, added);
             AddSurfaces(added, removed);
+            AddSurfaces(remasked, none);
             dirty.Sort();
         }
 
@@ -163,22 +165,46 @@ namespace AnatomyCarve.Carving
         void Touch(IReadOnlyList<ClipSphere> before, IReadOnlyList<ClipSphere> after, CutMode cut)
         {
             difference.Between(before, after);
+            remasked.Clear();
+            TakeRemasked(cut);
             Ready(difference.Removed, removed, cut);
             Ready(difference.Added, added, cut);
             touched.Clear();
             Touch(removed, added, cut);
             Touch(added, removed, cut);
+            Touch(remasked, none, cut);
+        }
+
+        /// <summary>Takes the spheres that stand in both carvings in the same place out of both lists: only the segments in which their masks differ matter.</summary>
+        void TakeRemasked(CutMode cut)
+        {
+            if (difference.Count > FewSpheres)
+                return;
+            for (int r = difference.Removed.Count - 1; r >= 0; r--)
+            {
+                ClipSphere before = difference.Removed[r];
+                int a = difference.Added.FindIndex(sphere =>
+                    sphere.CentreLps.Equals(before.CentreLps) && sphere.RadiusMm.Equals(before.RadiusMm) && sphere.Mask.SegmentCount == before.Mask.SegmentCount);
+                if (a < 0)
+                    continue;
+                Ready(before, before.Mask.DifferenceFrom(difference.Added[a].Mask), remasked, cut);
+                difference.Removed.RemoveAt(r);
+                difference.Added.RemoveAt(a);
+            }
         }
 
         void Ready(List<ClipSphere> spheres, List<Changed> changed, CutMode cut)
         {
             changed.Clear();
             foreach (ClipSphere sphere in spheres)
-            {
-                SphereF place = grid.ToCentred(sphere);
-                if (reach.TrySurfaceBox(place, out VoxelBox box))
-                    changed.Add(new Changed(sphere.Mask, reach.Of(place, cut), reach.SurfaceOf(place), box));
-            }
+                Ready(sphere, sphere.Mask, changed, cut);
+        }
+
+        void Ready(ClipSphere sphere, SegmentMask mask, List<Changed> changed, CutMode cut)
+        {
+            SphereF place = grid.ToCentred(sphere);
+            if (reach.TrySurfaceBox(place, out VoxelBox box))
+                changed.Add(new Changed(mask, reach.Of(place, cut), reach.SurfaceOf(place), box));
         }
 
         void Touch(List<Changed> spheres, List<Changed> opposite, CutMode cut)
@@ -197,7 +223,7 @@ namespace AnatomyCarve.Carving
         /// <summary>The bricks around a touched one are dirty where they are within the halo of a voxel that can differ.</summary>
         void Widen(int haloVoxels)
         {
-            bool few = removed.Count + added.Count <= FewSpheres;
+            bool few = removed.Count + added.Count + remasked.Count <= FewSpheres;
             for (int n = 0; n < touched.Indices.Count; n++)
             {
                 Bricks.BrickAt(touched.Indices[n], out int x, out int y, out int z);
@@ -268,6 +294,9 @@ namespace AnatomyCarve.Carving
                     return true;
             foreach (Changed sphere in added)
                 if (Matters(sphere, removed, lastCut, x, y, z, box))
+                    return true;
+            foreach (Changed sphere in remasked)
+                if (Matters(sphere, none, lastCut, x, y, z, box))
                     return true;
             return false;
         }

@@ -66,6 +66,15 @@ namespace AnatomyCarve.Carving
             return true;
         }
 
+        /// <summary>The segments that one of two masks clips and the other does not.</summary>
+        internal SegmentMask DifferenceFrom(SegmentMask other)
+        {
+            var different = new uint[words.Length];
+            for (int w = 0; w < different.Length; w++)
+                different[w] = words[w] ^ other.words[w];
+            return new SegmentMask(SegmentCount, different);
+        }
+
         /// <summary>Whether the segments that this mask clips are all clipped by another one too.</summary>
         internal bool IsWithin(SegmentMask other, ReadOnlySpan<ushort> segments)
         {

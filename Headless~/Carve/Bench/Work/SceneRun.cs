@@ -22,8 +22,8 @@ namespace AnatomyCarve.Headless.Cli.Bench.Work
         /// <summary>Voxels of the stage that processed most.</summary>
         public long MostVoxels => new[] { ClipVoxels.Elements, AntiAlias.Elements, SobelNormals.Elements, ClearBricks.Elements }.Max();
 
-        /// <summary>All tests of spheres, against bricks and then against their voxels.</summary>
-        public long SphereTests => SpheresInBricks + SphereBrickTests;
+        /// <summary>All tests of spheres: against bricks on the CPU, and of those given to bricks against each of their voxels.</summary>
+        public long SphereTests => BrickGrid.VoxelsPerBrick * SpheresInBricks + SphereBrickTests;
 
         /// <summary>All voxels and cells that kernels worked on.</summary>
         public long Invocations =>

@@ -20,22 +20,23 @@ namespace AnatomyCarve.Headless.Cli.Bench.Work
             var scene = context.Scenes.Get(Scene);
             var work = SceneRun.Move(context.Stage, scene);
             var given = work.SpheresInBricks;
-            var met = Met(scene);
-            double bricks = work.ClipVoxels.Bricks;
+            // ClipVoxels needs those of its bricks; the normals of cuts those of theirs and around.
+            var met = Met(scene, 0) + Met(scene, CarvingReach.NormalsVoxels);
+            double bricks = work.ClipVoxels.Bricks + work.SobelNormals.Bricks;
             return new Outcome([Math.Max(0, given - met) / bricks], Scene, new JsonObject
             {
-                ["spheres"] = scene.Spheres.Count, ["givenPerBrick"] = Json.Number(given / bricks), ["mostThatCouldMeet"] = met, ["work"] = work.ToJson(),
+                ["spheres"] = scene.Spheres.Count, ["givenPerBrick"] = Json.Number(given / bricks), ["given"] = given, ["mostThatCouldMeet"] = met, ["work"] = work.ToJson(),
             });
         }
 
         // Spheres that meet the bricks in which the move can change anything: those that the sphere meets before or after, but for bricks inside it both times.
-        static long Met(BenchScene scene)
+        static long Met(BenchScene scene, int haloVoxels)
         {
             var geometry = scene.Volume.Geometry;
             var grid = new CentredGrid(geometry);
             var before = scene.Spheres[^1];
             var after = before.WithCenter(before.CentreLps + scene.Move);
-            CarvingReach.TryVoxelBox(grid, grid.ToCentred(before.WithRadius(before.RadiusMm + scene.Move.Length)), CutMode.Binary, 0, out var box);
+            CarvingReach.TryVoxelBox(grid, grid.ToCentred(before.WithRadius(before.RadiusMm + scene.Move.Length)), CutMode.Binary, haloVoxels, out var box);
             var crowd = scene.Spheres.Take(scene.Spheres.Count - 1).ToArray();
             long met = 0;
             for (var z = box.MinK / BrickGrid.BrickSize; z <= box.MaxK / BrickGrid.BrickSize; z++)
@@ -44,10 +45,11 @@ namespace AnatomyCarve.Headless.Cli.Bench.Work
                 {
                     for (var x = box.MinI / BrickGrid.BrickSize; x <= box.MaxI / BrickGrid.BrickSize; x++)
                     {
-                        var ((nearBefore, farBefore), (nearAfter, farAfter)) = (Distances(geometry, before, x, y, z), Distances(geometry, after, x, y, z));
+                        (double Near, double Far) To(ClipSphere sphere) => Distances(geometry, sphere, x, y, z, haloVoxels);
+                        var ((nearBefore, farBefore), (nearAfter, farAfter)) = (To(before), To(after));
                         var isTouched = nearBefore <= before.RadiusMm || nearAfter <= after.RadiusMm;
                         if (!isTouched || (farBefore < before.RadiusMm && farAfter < after.RadiusMm)) continue;
-                        met += 1 + crowd.Count(sphere => Distances(geometry, sphere, x, y, z).Near <= sphere.RadiusMm);
+                        met += 1 + crowd.Count(sphere => To(sphere).Near <= sphere.RadiusMm);
                     }
                 }
             }
@@ -55,14 +57,14 @@ namespace AnatomyCarve.Headless.Cli.Bench.Work
             return met;
         }
 
-        // From a sphere's centre to the nearest and the farthest voxel of a brick, in grids whose axes are at right angles.
-        static (double Near, double Far) Distances(VolumeGeometry geometry, ClipSphere sphere, int x, int y, int z)
+        // From a sphere's centre to the nearest and the farthest voxel of a brick and its halo, in grids whose axes are at right angles.
+        static (double Near, double Far) Distances(VolumeGeometry geometry, ClipSphere sphere, int x, int y, int z, int halo)
         {
             var place = geometry.LpsToIjk.TransformPoint(sphere.CentreLps);
             double near = 0, far = 0;
             foreach (var (along, brick, mm) in new[] { (place.X, x, geometry.SpacingMm.X), (place.Y, y, geometry.SpacingMm.Y), (place.Z, z, geometry.SpacingMm.Z) })
             {
-                double low = BrickGrid.BrickSize * brick, high = low + BrickGrid.BrickSize - 1;
+                double low = BrickGrid.BrickSize * brick - halo, high = BrickGrid.BrickSize * brick + BrickGrid.BrickSize - 1 + halo;
                 near += Square(mm * Math.Max(0, Math.Max(low - along, along - high)));
                 far += Square(mm * Math.Max(Math.Abs(along - low), Math.Abs(along - high)));
             }

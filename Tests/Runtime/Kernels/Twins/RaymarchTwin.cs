@@ -71,7 +71,7 @@ namespace AnatomyCarve.Tests.Kernels
             double opacity = Trilinear(p);
             if (opacity <= 0)
                 return;
-            int segment = SegmentAround(p, out bool undecided);
+            int segment = SegmentOfSample(p, start, velocity, stepT, out bool undecided);
             double before = ray.Color[3], lengths = (end - begin) * scene.Step;
             double passing = Math.Pow(1 - opacity, lengths), weight = (1 - before) * (1 - passing);
             double[] shaded = Shade(segment, p, toViewer, out bool turnUndecided);
@@ -200,6 +200,22 @@ namespace AnatomyCarve.Tests.Kernels
                 double weight = (di == 0 ? 1 - (p[0] - i) : p[0] - i) * (dj == 0 ? 1 - (p[1] - j) : p[1] - j) * (dk == 0 ? 1 - (p[2] - k) : p[2] - k);
                 action(Clamped(i + di, j + dj, k + dk), weight);
             }
+        }
+
+        /// <summary>That of the eight voxels around; where these are empty, of those a reference length further; else of the 64 around.</summary>
+        int SegmentOfSample(double[] p, double[] start, double[] velocity, double stepT, out bool undecided)
+        {
+            int segment = SegmentAround(p, out undecided);
+            if (MostOpaque((int)Math.Floor(p[0]), (int)Math.Floor(p[1]), (int)Math.Floor(p[2]), 0, 1) >= 0)
+                return segment;
+            double[] ahead = new double[3];
+            for (int axis = 0; axis < 3; axis++)
+                ahead[axis] = p[axis] + velocity[axis] * stepT / scene.Step;
+            if (MostOpaque((int)Math.Floor(ahead[0]), (int)Math.Floor(ahead[1]), (int)Math.Floor(ahead[2]), 0, 1) < 0)
+                return segment;
+            segment = SegmentAround(ahead, out bool aheadUndecided);
+            undecided |= aheadUndecided;
+            return segment;
         }
 
         /// <summary>The segment at a point; undecided when a point a hair's breadth away has another.</summary>

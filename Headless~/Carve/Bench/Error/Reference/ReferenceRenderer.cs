@@ -58,7 +58,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error.Reference
                 if (opacity <= 0) continue;
                 var logPassing = opacity < 1 ? length / field.Geometry.ReferenceLengthMm * Math.Log(1 - opacity) : double.NegativeInfinity;
                 var after = through * Math.Exp(logPassing);
-                var segment = path.SegmentAt(middle);
+                var segment = path.SegmentOfSample(middle);
                 var (diffuse, specular) = Shade(path.NormalAt(middle), -ray.Direction, toLight);
                 var color = ColorAt(path, middle, Math.Max(segment, 0));
                 var weight = through - after;
