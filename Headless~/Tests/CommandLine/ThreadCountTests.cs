@@ -12,7 +12,8 @@ namespace AnatomyCarve.Headless.Tests.CommandLine
             using var folder = new TestFolder();
             string volume = Phantom.WriteVolume(folder), labels = Phantom.WriteLabels(folder);
             folder.Write("carving.json", """
-                {"version": 1, "space": "LPS", "spheres": [{"centerMm": [23, 9, 15], "radiusMm": 12, "clipped": [{"label": 1, "name": "left"}, {"label": 5, "name": "top"}]}]}
+                {"version": 1, "space": "LPS", "spheres": [
+                  {"centerMm": [23, 9, 15], "radiusMm": 12, "clipped": [{"label": 1, "name": "left"}, {"label": 5, "name": "top"}]}]}
                 """);
             foreach (var threads in new[] { "1", "2", "8" })
             {

@@ -60,7 +60,9 @@ namespace AnatomyCarve.Headless.Tests.Golden
             Note(scene, Identical);
         }
 
-        /// <summary>PSNR of a picture against the golden one. Where it is below the limit, the picture and what differs are written to Headless~/out/golden.</summary>
+        /// <summary>
+        /// PSNR of a picture against the golden one. Where it is below the limit, the picture and what differs are written to Headless~/out/golden.
+        /// </summary>
         public double Compare(string scene, byte[] png)
         {
             Directory.CreateDirectory(Out);

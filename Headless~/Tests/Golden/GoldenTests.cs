@@ -7,8 +7,8 @@ using UnityEngine;
 namespace AnatomyCarve.Headless.Tests.Golden
 {
     /// <summary>
-    /// Twelve scenes through the package's components against the pictures that are kept of them. ANATOMYCARVE_GOLDEN=write makes the pictures anew, for the driver
-    /// at hand; look at them before they are committed.
+    /// Twelve scenes through the package's components against the pictures that are kept of them. ANATOMYCARVE_GOLDEN=write makes the pictures anew, for
+    /// the driver at hand; look at them before they are committed.
     /// </summary>
     sealed class GoldenTests
     {

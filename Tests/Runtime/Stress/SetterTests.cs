@@ -111,7 +111,8 @@ namespace AnatomyCarve.Tests.Stress
         }
 
         [Test]
-        public void Light_OfAColourThatIsNone_IsRefusedOrShownAsAColour([Values(float.NaN, float.PositiveInfinity, float.NegativeInfinity, -1f)] float channel)
+        public void Light_OfAColourThatIsNone_IsRefusedOrShownAsAColour(
+            [Values(float.NaN, float.PositiveInfinity, float.NegativeInfinity, -1f)] float channel)
         {
             CarvedVolumeRenderer renderer = MakeRamp(Ball(Grid(12, 11, 10, 1, 1, 1)));
             try
@@ -126,7 +127,8 @@ namespace AnatomyCarve.Tests.Stress
         }
 
         [Test]
-        public void Segment_OfAColourThatIsNone_IsRefusedOrShownAsAColour([Values(float.NaN, float.PositiveInfinity, float.NegativeInfinity, -1f)] float channel)
+        public void Segment_OfAColourThatIsNone_IsRefusedOrShownAsAColour(
+            [Values(float.NaN, float.PositiveInfinity, float.NegativeInfinity, -1f)] float channel)
         {
             CarvedVolumeRenderer renderer = MakeRamp(Ball(Grid(12, 11, 10, 1, 1, 1)));
             try

@@ -54,6 +54,23 @@ namespace AnatomyCarve.Tests.Stress
             Assert.That(skipping, Is.LessThan(complete));
         }
 
+        /// <summary>The only step is a fraction of one: its middle lies in matter, and where a whole step would have its middle there is nothing.</summary>
+        [Test]
+        public void Ray_ThatEndsWithinAStep_SeesTheSameWithSkipping()
+        {
+            VolumeGeometry geometry = Grid(12, 12, 12, 1, 1, 1);
+            ushort[] codes = Enumerable.Range(0, 12 * 12 * 12).Select(v => (ushort)(v / 144 == 3 ? 1000 : 0)).ToArray(); // the slice k = 3
+            CarvedVolumeRenderer renderer = MakeRamp(Volume(geometry, codes, new ushort[codes.Length], 1));
+            renderer.Quality = new RenderQuality { Step = 4f, AntiAliasing = 0f };
+            PointMm eye = geometry.IjkToLps.TransformPoint(new PointMm(5.5, 5.5, 3));
+            PictureRays rays = PictureRays.Orthographic(eye, eye + Superior, new VectorMm(0, 1, 0), 4, 4, 4).WithRange(0, 0.6);
+            PictureData skipping = renderer.Render(rays).Read();
+            renderer.Quality.SkipEmptySpace = false;
+            PictureData complete = renderer.Render(rays).Read();
+            Assert.That(complete.Color[0].a, Is.GreaterThan(0.1f));
+            AssertIdentical(complete, skipping, "one step of 0.15");
+        }
+
         static void Edit(CarvingStack carving, VolumeGeometry geometry, Random random)
         {
             if (carving.Active is object)

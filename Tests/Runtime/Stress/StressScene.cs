@@ -146,8 +146,11 @@ namespace AnatomyCarve.Tests.Stress
             Assert.That(different, Is.Zero, $"pixels, {what}; {first}");
         }
 
-        static string Describe(PictureData picture, int p) => FormattableString.Invariant(
-            $"({picture.Color[p].r:g6} {picture.Color[p].g:g6} {picture.Color[p].b:g6} {picture.Color[p].a:g6}), {picture.DepthMm[p]:r} mm, segment {picture.Segments[p]}");
+        static string Describe(PictureData picture, int p)
+        {
+            Color c = picture.Color[p];
+            return FormattableString.Invariant($"({c.r:g6} {c.g:g6} {c.b:g6} {c.a:g6}), {picture.DepthMm[p]:r} mm, segment {picture.Segments[p]}");
+        }
 
         protected static int CountSeen(PictureData picture) => picture.Segments.Count(segment => segment != PictureData.NoSegment);
 
