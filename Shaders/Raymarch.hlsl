@@ -97,11 +97,12 @@ struct StepRay
 float OpacityOnRay(StepRay ray, float position) { return OpacityAt(ray.first + position * ray.perStep); }
 
 // The first step whose middle may lie outside of the cells that are empty with the middle of step n, or of the cell itself if that is occupied.
-uint StepBeyondCells(StepRay ray, uint n, uint lastStep, out bool isEmpty)
+uint StepBeyondCells(StepRay ray, uint n, float rayEnd, uint lastStep, out bool isEmpty)
 {
     const float INSIDE = 1e-3; // voxels; more than rounding does
     int3 cells = CellDims();
-    int3 cell = clamp((int3)floor(ray.first + (float(n) + 0.5) * ray.perStep), int3(0, 0, 0), VolumeDims() - 1) >> CELL_SHIFT;
+    float middle = 0.5 * (float(n) + min(float(n) + 1.0, rayEnd)); // the last step may be a fraction
+    int3 cell = clamp((int3)floor(ray.first + middle * ray.perStep), int3(0, 0, 0), VolumeDims() - 1) >> CELL_SHIFT;
     uint distance = (_SkipMap.Load(int4(cell.x >> TEXEL_SHIFT, cell.yz, 0)) >> (8u * ((uint)cell.x & (CELLS_PER_TEXEL - 1u)))) & 255u;
     isEmpty = distance > 0u;
     int reach = max((int)distance - 1, 0);
@@ -186,7 +187,7 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT, flo
                 while (n >= sampleUntil && n < stepCount)
                 {
                     bool isEmpty;
-                    sampleUntil = StepBeyondCells(ray, n, stepCount, isEmpty);
+                    sampleUntil = StepBeyondCells(ray, n, steps, stepCount, isEmpty);
                     n = isEmpty ? sampleUntil : n;
                     result.lookups++;
                 }

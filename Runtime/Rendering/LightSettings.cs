@@ -41,10 +41,11 @@ namespace AnatomyCarve
         }
 
         /// <summary>The light's colour, sRGB as in all of Unity's colour fields.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">A channel is negative, infinite or NaN.</exception>
         public Color Color
         {
             get => color;
-            set => color = value;
+            set => color = SettingRange.Checked(value, nameof(Color));
         }
 
         /// <summary>Light that comes from everywhere, 0 to 1.</summary>
@@ -104,6 +105,8 @@ namespace AnatomyCarve
         {
             if (!IsDirection(direction))
                 direction = DefaultDirection;
+            if (!SettingRange.IsColor(color))
+                color = Color.white;
             ambient = Mathf.Clamp01(ambient);
             diffuse = Mathf.Clamp01(diffuse);
             specular = Mathf.Clamp01(specular);

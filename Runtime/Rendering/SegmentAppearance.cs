@@ -20,11 +20,11 @@ namespace AnatomyCarve
         /// <param name="label">The segment's value in the label map; 0 = tissue that no segment claims.</param>
         /// <param name="color">Its colour, sRGB as in all of Unity's colour fields; alpha does not count.</param>
         /// <param name="opacity">0 (invisible) to 1; multiplies the transfer function.</param>
-        /// <exception cref="ArgumentOutOfRangeException">The opacity lies outside.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">The opacity lies outside, or a channel of the colour is negative, infinite or NaN.</exception>
         public SegmentAppearance(long label, Color color, float opacity)
         {
             this.label = label;
-            this.color = color;
+            this.color = SettingRange.Checked(color, nameof(color));
             this.opacity = SettingRange.Checked(opacity, 0f, 1f, nameof(opacity));
         }
 

@@ -20,7 +20,12 @@ namespace AnatomyCarve.Tests.Components
         static readonly string[] Textures = { "AnatomyCarve opacity", "AnatomyCarve anti-aliased opacity", "AnatomyCarve normals", "AnatomyCarve skip map" };
 
         [Test]
-        public void Textures_AfterEachEditOfARandomScript_AreThoseOfAFullComputation([Range(1, 12)] int seed, [Values] CutMode cut)
+        public void Textures_AfterEachEditOfARandomScript_AreThoseOfAFullComputation([Range(1, 12)] int seed, [Values] CutMode cut) => Check(seed, cut, 25);
+
+        [Test, Explicit("10,000 edits take minutes"), Category("Long")]
+        public void Textures_AfterEachOfTenThousandEdits_AreThoseOfAFullComputation([Range(101, 150)] int seed, [Values] CutMode cut) => Check(seed, cut, 100);
+
+        void Check(int seed, CutMode cut, int edits)
         {
             var random = new Random(seed);
             SegmentedVolume volume = RandomMatter.Volume(random, 2 + random.Next(12), 14, 40);
@@ -32,7 +37,7 @@ namespace AnatomyCarve.Tests.Components
             full.Render(RandomMatter.Rays(volume.Geometry, random, 8));
             RenderTexture[] ofFull = Find(ofEdited);
             long changed = 0;
-            for (int edit = 0; edit < 25; edit++)
+            for (int edit = 0; edit < edits; edit++)
             {
                 byte[][] before = Array.ConvertAll(ofEdited, Bytes);
                 Edit(edited.Stack.Carving, volume.Geometry, random);

@@ -10,12 +10,17 @@ namespace AnatomyCarve.Tests.Kernels
     public sealed class ClipVoxelsTests
     {
         [Test]
-        public void ClipVoxels_RandomOpaqueScenes_AreClippedExactlyByEq1([Range(1, 4)] int seed)
+        public void ClipVoxels_RandomOpaqueScenes_AreClippedExactlyByEq1([Range(1, 4)] int seed) => CheckRandomScenes(seed, 50, 24);
+
+        [Test, Explicit("10,000 scenes take minutes"), Category("Long")]
+        public void ClipVoxels_TenThousandRandomOpaqueScenes_AreClippedExactlyByEq1([Range(101, 150)] int seed) => CheckRandomScenes(seed, 200, 32);
+
+        static void CheckRandomScenes(int seed, int scenes, int largest)
         {
             var random = new Random(seed);
-            for (int scene = 0; scene < 50; scene++)
+            for (int scene = 0; scene < scenes; scene++)
             {
-                CarveScene carve = CarveScene.Opaque(KernelGrid.Random(random, 1, 24), 1 + random.Next(60), random);
+                CarveScene carve = CarveScene.Opaque(KernelGrid.Random(random, 1, largest), 1 + random.Next(60), random);
                 for (int count = random.Next(12); count > 0; count--)
                     carve.AddRandomSphere(random);
                 AssertEq1(carve, "seed " + seed + ", scene " + scene);

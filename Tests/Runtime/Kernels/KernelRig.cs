@@ -28,6 +28,7 @@ namespace AnatomyCarve.Tests.Kernels
             this.shader = shader;
             this.name = name;
             this.keywords = keywords;
+            shader.DisableKeyword("PORTABLE_LAYOUT"); // a renderer may have left it so: the shader is an asset that all share
             kernel = shader.FindKernel(name);
         }
 
