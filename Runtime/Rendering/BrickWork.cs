@@ -12,7 +12,7 @@ namespace AnatomyCarve
     sealed class BrickWork : IDisposable
     {
         /// <summary>The most bricks, and about the most spheres of bricks, in a batch.</summary>
-        public const int BricksPerBatch = 16384, SpheresPerBatch = 1 << 18;
+        public const int BricksPerBatch = 16384, SpheresPerBatch = 1 << 14;
 
         /// <summary>Spheres of bricks that there is room for at first.</summary>
         const int FirstSlots = 64;

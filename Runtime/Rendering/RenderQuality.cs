@@ -38,7 +38,7 @@ namespace AnatomyCarve
         float antiAliasing = 1f;
 
         [SerializeField, Range(0.5f, 1f), Tooltip("Accumulated opacity at which a ray stops")]
-        float opaqueAlpha = 1f - 1f / 255f;
+        float opaqueAlpha = (float)RaySettings.DefaultOpaqueAlpha;
 
         [SerializeField, Range(0.01f, 0.99f), Tooltip("Accumulated opacity at which a segment counts as seen")]
         float firstVisibleAlpha = 0.5f;
@@ -46,8 +46,7 @@ namespace AnatomyCarve
         [SerializeField, Tooltip("Exact: opacity between voxels in full precision; pointers find what is shown. Hardware: the GPU's filter, faster")]
         OpacityFilter filter = OpacityFilter.Exact;
 
-        [SerializeField, Tooltip("Rays skip what is empty. Pictures are the same without; it is for measuring")]
-        bool skipEmptySpace = true;
+        [NonSerialized] bool skipEmptySpace = true;
 
         [NonSerialized] AntiAliasSettings antiAliasSettings;
         [NonSerialized] RaySettings raySettings;
@@ -100,7 +99,7 @@ namespace AnatomyCarve
             set => filter = SettingRange.Defined(value, nameof(Filter));
         }
 
-        /// <summary>Whether rays skip what is empty. Pictures are the same without, which is for measuring.</summary>
+        /// <summary>Whether rays skip what is empty. Pictures are the same without, which is for measuring; it is not saved.</summary>
         public bool SkipEmptySpace { get => skipEmptySpace; set => skipEmptySpace = value; }
 
         /// <summary>The names that <see cref="Named"/> knows, from the cheapest to the best.</summary>

@@ -10,9 +10,14 @@ namespace AnatomyCarve.Picking
         /// </summary>
         public const int PartsOfStep = 4;
 
+        /// <summary>
+        /// Where rays end unless told otherwise: what could still come is half a code of 8 bits at most, or one where it is twice as bright as white.
+        /// </summary>
+        public const double DefaultOpaqueAlpha = 1 - 1 / 512.0;
+
         double stepReference = 0.5;
         double firstVisibleAlpha = 0.5;
-        double opaqueAlpha = 1 - 1 / 255.0;
+        double opaqueAlpha = DefaultOpaqueAlpha;
 
         /// <summary>The step in reference lengths (the smallest voxel spacing): above 0, finite. 0.5 unless set.</summary>
         /// <exception cref="ArgumentOutOfRangeException">The step lies outside its range.</exception>
@@ -40,7 +45,7 @@ namespace AnatomyCarve.Picking
             }
         }
 
-        /// <summary>The accumulated alpha at which a ray ends: above 0, at most 1. 1 - 1/255 unless set.</summary>
+        /// <summary>The accumulated alpha at which a ray ends: above 0, at most 1. <see cref="DefaultOpaqueAlpha"/> unless set.</summary>
         /// <exception cref="ArgumentOutOfRangeException">The alpha lies outside its range.</exception>
         public double OpaqueAlpha
         {

@@ -232,25 +232,39 @@ namespace AnatomyCarve.Tests.Picking
                 far = Math.Min(far, Math.Max(a, b));
             }
             double step = settings.StepReference * geometry.ReferenceLengthMm;
-            double passing = 1;
-            for (double begin = near; begin < far; begin += step)
+            double Passing(double from, double to) => Math.Pow(1 - Sample(field, o + 0.5 * (from + to) * d), (to - from) / geometry.ReferenceLengthMm);
+            SegmentHit HitAt(double distance, double sampleAt)
             {
-                double end = Math.Min(begin + step, far);
-                PointMm sample = o + 0.5 * (begin + end) * d;
-                double opacity = Sample(field, sample);
-                double stillPassing = passing * Math.Pow(1 - opacity, (end - begin) / geometry.ReferenceLengthMm);
-                if (1 - stillPassing >= settings.FirstVisibleAlpha)
-                {
-                    double wanted = 1 - settings.FirstVisibleAlpha;
-                    double length = opacity < 1 ? Math.Log(wanted / passing) / Math.Log(1 - opacity) * geometry.ReferenceLengthMm : 0;
-                    double distance = begin + Math.Max(0, Math.Min(end - begin, length));
-                    PointMm there = o + distance * d;
-                    int segment = field.SegmentAt(there.X, there.Y, there.Z);
-                    return new SegmentHit(segment >= 0 ? segment : field.SegmentAt(sample.X, sample.Y, sample.Z), ray.At(distance), distance);
-                }
-                passing = stillPassing;
+                PointMm there = o + distance * d, sample = o + sampleAt * d;
+                int segment = field.SegmentAt(there.X, there.Y, there.Z);
+                return new SegmentHit(segment >= 0 ? segment : field.SegmentAt(sample.X, sample.Y, sample.Z), ray.At(distance), distance);
             }
-            return SegmentHit.None;
+            double wanted = 1 - settings.FirstVisibleAlpha, passed = 1, passedBefore = 1;
+            SegmentHit late = SegmentHit.None;
+            for (double begin = near; begin < far && 1 - passed < settings.OpaqueAlpha; begin += step)
+            {
+                double end = Math.Min(begin + step, far), stillPassing = passed * Passing(begin, end);
+                if (stillPassing <= wanted && stillPassing < passed)
+                {
+                    if (passedBefore <= wanted)
+                        return HitAt(begin, 0.5 * (begin + end)); // an earlier step should have shown it
+                    double light = passedBefore;
+                    for (double from = begin > near ? begin - step : near; from < end - 1e-12 * end; from += step / 4)
+                    {
+                        double to = Math.Min(from + step / 4, end), after = light * Passing(from, to);
+                        if (after <= wanted)
+                        {
+                            double share = after > 0 ? Math.Log(wanted / light) / Math.Log(after / light) : 0;
+                            return HitAt(from + Math.Max(0, Math.Min(1, share)) * (to - from), 0.5 * (begin + end));
+                        }
+                        light = after;
+                    }
+                    late = HitAt(end, 0.5 * (begin + end));
+                }
+                passedBefore = passed;
+                passed = stillPassing;
+            }
+            return late;
         }
 
         static double Sample(CarvedField field, PointMm index)

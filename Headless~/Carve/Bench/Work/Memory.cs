@@ -11,10 +11,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Work
     {
         const string Scene = "demo-move-40";
 
-        /// <summary>Per voxel; smaller resources do not hold something for each voxel.</summary>
-        const double LeastShare = 0.5;
-
-        public Quantity Quantity { get; } = new("P13", "bytes per voxel in the textures of voxels: compact, portable", "bytes", [7, 9]);
+        public Quantity Quantity { get; } = new("P13", "bytes resident per voxel, all but pictures: compact, portable", "bytes", [7, 9]);
 
         public Outcome Run(MeasureContext context)
         {
@@ -33,10 +30,10 @@ namespace AnatomyCarve.Headless.Cli.Bench.Work
             stage.Update();
             double voxels = scene.Volume.Geometry.VoxelCount;
             var resources = stage.Renderer.Statistics.Resources.Where(resource => !resource.Name.Contains("picture", StringComparison.Ordinal)).ToArray();
-            var list = new JsonObject { ["allBytesPerVoxel"] = Json.Number(resources.Sum(resource => resource.Bytes) / voxels) };
+            var list = new JsonObject();
             foreach (var resource in resources) list[resource.Name] = resource.Bytes;
             settings[layout.ToString().ToLowerInvariant()] = list;
-            return resources.Sum(resource => resource.Bytes / voxels >= LeastShare ? resource.Bytes : 0) / voxels;
+            return resources.Sum(resource => resource.Bytes) / voxels;
         }
     }
 
