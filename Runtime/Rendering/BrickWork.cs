@@ -51,7 +51,8 @@ namespace AnatomyCarve
         /// <summary>The spheres of these bricks; a caller adds a brick's, then the brick.</summary>
         public List<int> Spheres => spheres;
 
-        public bool IsFull => Count == packed.Length || spheres.Count >= SpheresPerBatch;
+        /// <summary>Whether the batch should go: the next brick may have some thousand spheres, and the list is not to outgrow its memory.</summary>
+        public bool IsFull => Count == packed.Length || spheres.Count >= SpheresPerBatch * 3 / 4;
 
         /// <summary>Whether the lists would be there for a dispatch; a lost device takes them away.</summary>
         public bool IsValid => IsThere(Bricks) && IsThere(Ranges) && IsThere(Slots);

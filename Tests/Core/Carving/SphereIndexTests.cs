@@ -133,6 +133,10 @@ namespace AnatomyCarve.Tests.Carving
             Assert.That(Count(new[] { large }, new[] { large, small }), Is.Zero, "hidden by one that both have");
             Assert.That(Count(new[] { small, large }, new[] { large }), Is.Zero, "the same backwards");
             Assert.That(Count(new[] { large }, new[] { Sphere(17, 16, 16, 40) }), Is.Zero, "covered wholly before and after");
+            ClipSphere everywhere = Sphere(8, 16, 16, 6);
+            Assert.That(Count(new[] { everywhere }, new[] { everywhere.WithMask(everywhere.Mask.Toggled(3)) }), Is.Zero, "a toggled segment that is nowhere");
+            Assert.That(Count(new[] { everywhere }, new[] { everywhere.WithMask(everywhere.Mask.Toggled(1)) }), Is.EqualTo(4), "a toggled segment: bricks on its side of i = 8");
+            Assert.That(Count(none, new[] { everywhere }), Is.EqualTo(8), "the whole sphere");
             Assert.That(Count(none, new[] { small }), Is.GreaterThan(0));
         }
 

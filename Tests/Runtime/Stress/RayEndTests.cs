@@ -24,7 +24,7 @@ namespace AnatomyCarve.Tests.Stress
                 for (int camera = 0; camera < 4; camera++)
                 {
                     PictureRays rays = RandomMatter.Rays(renderer.Volume.Geometry, random, 32);
-                    renderer.Quality.OpaqueAlpha = 1f - Code;
+                    renderer.Quality.OpaqueAlpha = RenderQuality.Balanced().OpaqueAlpha;
                     CarvedPicture picture = renderer.Render(rays);
                     PictureData ended = picture.Read();
                     early += picture.ReadSampleCount();
