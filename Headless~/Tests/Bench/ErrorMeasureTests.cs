@@ -37,15 +37,13 @@ namespace AnatomyCarve.Headless.Tests.Bench
         public void P28_SphereCuts_AreNearTheSphere() => Check(new SphereCut(64), 1.6, 4, 0.27); // 0.17, 0.54, 0.266
 
         [Test]
-        public void P34_LabelSurfaces_AreNearTheBalls() => Check(new LabelSurfaces(64)); // 1.20, 4.16, 90.5
+        public void P34_LabelSurfaces_AreNearTheBalls() => Check(new LabelSurfaces(64)); // 1.20, 4.16; thin structures keep 90.5 %
 
-        // Goal 0 with the GPU's filter as well.
         [Test]
-        public void P30_Pointer_FindsWhatIsShown() => Check(new PointerAgreement(96), 0, 6); // 0, 5
+        public void P30_Pointer_FindsWhatIsShown() => Check(new PointerAgreement(96)); // 0; with the GPU's filter 5
 
-        // Goals 40, 0.99, 0.1, 0.05; the head reaches them. It is the eight bits of thin matter's opacity that cost the rest.
         [Test]
-        public void P29_DefaultPicture_IsNearTheConvergedOne() => Check(new DefaultPicture(64), 43, 0.99, 4.2, 1.6); // 43.9, 0.998, 3.85, 1.53
+        public void P29_DefaultPicture_IsNearTheConvergedOne() => Check(new DefaultPicture(64), 40, 0.99, 0.1, 0.2); // 59.0, 0.9999, 0.045, 0.153: a few rays at edges that meet another surface
 
         /// <param name="measure">what is measured</param>
         /// <param name="limits">none = the goals</param>

@@ -94,11 +94,11 @@ namespace AnatomyCarve.Headless.Tests.CommandLine.Benchmark
         }
 
         [Test]
-        public void BytesPerVoxel_AreThoseOfTheTextures()
+        public void BytesPerVoxel_AreThoseOfAllThatIsResident()
         {
-            // Observed: 7 and 7.27; 26 slices fill 7 texels of four.
-            Assert.That(Values("P13")[0], Is.EqualTo(7));
-            Assert.That(Values("P13")[1], Is.InRange(7, 7.5));
+            // Observed: 7.68 and 7.95: in so small a volume tables count; 26 slices fill 7 texels of four.
+            Assert.That(Values("P13")[0], Is.InRange(7.05, 8));
+            Assert.That(Values("P13")[1], Is.InRange(Values("P13")[0], 8.3));
         }
 
         [Test]
