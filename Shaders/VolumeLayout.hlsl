@@ -47,7 +47,6 @@ cbuffer RaymarchSettings
 };
 
 int3 VolumeDims() { return int3(_VolumeDims.xyz); }
-uint SphereCount() { return (uint)_CarveCounts.x; }
 uint SegmentCount() { return (uint)_CarveCounts.z; }
 bool IsSmoothCut() { return _CarveCounts.w > 0.5; }
 

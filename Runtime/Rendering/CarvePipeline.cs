@@ -70,6 +70,7 @@ namespace AnatomyCarve
             CarvingSnapshot carving, OpacityTransferFunction transferFunction, SegmentTable segments, CutMode cut, AntiAliasSettings antiAliasing)
         {
             RestoreLost();
+            long tests = index.Tests, gathered = index.Gathered;
             IReadOnlyList<ClipSphere> wanted = carving ?? (IReadOnlyList<ClipSphere>)NoSpheres;
             bool shown = !filled || transferFunction != usedTransferFunction || OpacitiesDiffer(segments, usedSegments);
             bool all = shown || cut != usedCut;
@@ -95,11 +96,13 @@ namespace AnatomyCarve
                 kernels.ClipVoxels(live.Visible, contents, cut);
             else if (carved)
                 kernels.ClipVoxels(Dirty(wanted, cut, 0), contents, cut);
+            bool changed = smoothing || recolored;
             if (smoothing)
                 SmoothAll();
             else if (carved)
-                SmoothDirty(wanted, cut);
-            statistics.CountSpheres(index);
+                changed |= SmoothDirty(wanted, cut);
+            statistics.SphereBrickTests += index.Tests - tests;
+            statistics.SpheresInBricks += index.Gathered - gathered;
 
             usedSpheres = wanted;
             usedTransferFunction = transferFunction;
@@ -107,7 +110,8 @@ namespace AnatomyCarve
             usedCut = cut;
             usedAntiAlias = antiAliasing;
             filled = true;
-            Version++;
+            if (changed)
+                Version++;
         }
 
         /// <summary>Gives all that rays read to a kernel or a material.</summary>
@@ -189,16 +193,19 @@ namespace AnatomyCarve
             skip.Update(null, constants, ref statistics.skipCells);
         }
 
-        void SmoothDirty(IReadOnlyList<ClipSphere> wanted, CutMode cut)
+        /// <returns>Whether a picture can look different.</returns>
+        bool SmoothDirty(IReadOnlyList<ClipSphere> wanted, CutMode cut)
         {
             IReadOnlyList<int> list = Dirty(wanted, cut, CarvingReach.AntiAliasVoxels);
-            if (list.Count > 0)
+            bool changed = list.Count > 0;
+            if (changed)
             {
                 kernels.AntiAlias(list);
                 skip.Update(list, constants, ref statistics.skipCells);
             }
             dirty.ComputeNormals(usedSpheres, wanted, cut);
             kernels.SobelNormals(dirty.Indices, contents);
+            return changed || dirty.Count > 0;
         }
 
         IReadOnlyList<int> Dirty(IReadOnlyList<ClipSphere> wanted, CutMode cut, int haloVoxels)

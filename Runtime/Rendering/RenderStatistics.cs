@@ -47,7 +47,6 @@ namespace AnatomyCarve
         internal StageStatistics clearBricks;
         internal StageStatistics skipCells;
         internal StageStatistics raymarch;
-        long sphereTests, sphereEntries, sphereTestsBefore, sphereEntriesBefore;
         readonly List<ResourceSize> resources = new List<ResourceSize>();
 
         internal RenderStatistics()
@@ -70,10 +69,10 @@ namespace AnatomyCarve
         public StageStatistics SkipCells => skipCells;
 
         /// <summary>How often a clip sphere was tested against a brick, on the CPU.</summary>
-        public long SphereBrickTests => sphereTests - sphereTestsBefore;
+        public long SphereBrickTests { get; internal set; }
 
         /// <summary>How many clip spheres were given to bricks, one by one: each is then tested against the voxels of its brick, on the GPU.</summary>
-        public long SpheresInBricks => sphereEntries - sphereEntriesBefore;
+        public long SpheresInBricks { get; internal set; }
 
         /// <summary>Work of the kernel <c>Raymarch</c>.</summary>
         public StageStatistics Raymarch => raymarch;
@@ -116,12 +115,6 @@ namespace AnatomyCarve
         /// <summary>A buffer of four counts that AntiAlias adds to, for tests and benchmarks; null = it does not count.</summary>
         internal UnityEngine.GraphicsBuffer WorkCounts { get; set; }
 
-        internal void CountSpheres(Carving.SphereIndex index)
-        {
-            sphereTests = index.Tests;
-            sphereEntries = index.Gathered;
-        }
-
         /// <summary>Sets all counts to zero.</summary>
         public void Reset()
         {
@@ -131,8 +124,8 @@ namespace AnatomyCarve
             clearBricks = default;
             skipCells = default;
             raymarch = default;
-            sphereTestsBefore = sphereTests;
-            sphereEntriesBefore = sphereEntries;
+            SphereBrickTests = 0;
+            SpheresInBricks = 0;
         }
 
         static long Sum(IReadOnlyList<ResourceSize> sizes)

@@ -18,7 +18,6 @@ namespace AnatomyCarve.Carving
         readonly VoxelCache[] smoothed;
         readonly DirtyBrickSet dirty;
         readonly SphereIndex index;
-        readonly MatterMap matter;
         readonly float[] around = new float[AntiAlias.Neighbourhood];
         CarvingInputs inputs;
         VisibleContents contents;
@@ -40,7 +39,6 @@ namespace AnatomyCarve.Carving
             smoothed = new VoxelCache[Bricks.Count];
             index = new SphereIndex(Bricks, Grid);
             dirty = new DirtyBrickSet(Bricks, Grid) { Index = index };
-            matter = new MatterMap(Bricks);
             CacheLimitBytes = cacheLimitBytes;
         }
 
@@ -97,10 +95,7 @@ namespace AnatomyCarve.Carving
             OpacityLookup lookup = sharesLookup ? opacity.Lookup : new OpacityLookup(transferFunction, Volume.Intensity);
             inputs = wanted;
             if (!sharesOpacities)
-            {
                 dirty.Contents = contents = VisibleContents.Of(Volume, lookup, wanted.SegmentOpacities);
-                matter.Forget();
-            }
             opacity = new VoxelOpacity(Volume, Grid, Bricks, index, contents, lookup, wanted.SegmentOpacities, cut);
         }
 
@@ -170,7 +165,7 @@ namespace AnatomyCarve.Carving
         /// Whether it is certain that the anti-aliased opacity is 0 at every place whose lower neighbour along each axis is a voxel of the brick,
         /// whatever the carving. False does not say that it is not.
         /// </summary>
-        internal bool IsClearFrom(int brickX, int brickY, int brickZ) => matter.IsClearFrom(opacity, brickX, brickY, brickZ);
+        internal bool IsClearFrom(int brickX, int brickY, int brickZ) => !contents.IsNearMatter(Bricks.IndexOf(brickX, brickY, brickZ));
 
         int MostOpaqueSegment(int i, int j, int k, int first, int last)
         {

@@ -58,9 +58,6 @@ namespace AnatomyCarve.Carving
             return ToCode((float)(opacity * (float)(1 - coverage)));
         }
 
-        /// <summary>Whether any voxel of a brick may be above 0 when nothing is clipped.</summary>
-        public bool HasMatter(int brickX, int brickY, int brickZ) => contents[bricks.IndexOf(brickX, brickY, brickZ)].Length > 0;
-
         /// <summary>Lists the spheres that can touch a visible voxel of a brick, and perhaps a few that cannot.</summary>
         public void FindReaching(int brickX, int brickY, int brickZ, List<CentredSphere> reaching)
         {

@@ -2,6 +2,7 @@ using System;
 using System.Collections;
 using System.Linq;
 using AnatomyCarve.Carving;
+using AnatomyCarve.Picking;
 using AnatomyCarve.Volumes;
 using NUnit.Framework;
 using UnityEngine;
@@ -78,6 +79,32 @@ namespace AnatomyCarve.Tests.Components
             int near = Enumerable.Range(0, visible.Count).Count(visible.IsNearMatter);
             Assert.That(new[] { done.ClipVoxels.Bricks, done.AntiAlias.Bricks, done.SobelNormals.Bricks }, Is.EqualTo(new long[] { withMatter, near, near }));
             Assert.That(done.ClearBricks.Bricks, Is.EqualTo(visible.Count - withMatter), "the others are emptied");
+        }
+
+        [Test]
+        public void Edit_WhereNothingIsVisible_MakesNoPictureAgain()
+        {
+            CarvedVolumeRenderer renderer = MakeVolume(Phantoms.Markers());
+            PictureRays rays = FrontView(renderer.Volume);
+            CarvedPicture picture = renderer.Render(rays);
+            int version = picture.Version, dispatches = renderer.Statistics.VolumeDispatches;
+            renderer.Stack.SetActive(new Vector3(5f, 0f, 0f), 0.002f);
+            renderer.Render(rays);
+            Assert.That(picture.Version, Is.EqualTo(version));
+            Assert.That(renderer.Statistics.VolumeDispatches, Is.EqualTo(dispatches));
+        }
+
+        [Test]
+        public void Statistics_AfterResourcesWereReleased_CountOn()
+        {
+            CarvedVolumeRenderer renderer = MakeVolume(Phantoms.Markers());
+            renderer.Stack.SetActive(Vector3.zero, 0.01f);
+            renderer.Render(FrontView(renderer.Volume));
+            long inBricks = renderer.Statistics.SpheresInBricks;
+            renderer.ReleaseResources();
+            renderer.Render(FrontView(renderer.Volume));
+            Assert.That(inBricks, Is.GreaterThan(0));
+            Assert.That(renderer.Statistics.SpheresInBricks, Is.EqualTo(2 * inBricks));
         }
 
         [Test]

@@ -26,6 +26,26 @@ namespace AnatomyCarve.Tests.Kernels
         }
 
         [Test]
+        public void Reaches_AreTheSameInHlslAndCSharp()
+        {
+            Assert.That(Define(Read("SobelNormals.compute"), "SOBEL_REACH"), Is.EqualTo(CarvingReach.SobelVoxels));
+            Assert.That(Regex.Match(Read("OpacityTile.hlsl"), @"TILE_SIZE \(BRICK_SIZE \+ (\d+)\)").Groups[1].Value, Is.EqualTo((2 * CarvingReach.AntiAliasVoxels).ToString()));
+            string surface = Regex.Match(Read("ClipSpheres.hlsl"), @"SURFACE_REACH = ([0-9.]+);").Groups[1].Value;
+            Assert.That(double.Parse(surface, System.Globalization.CultureInfo.InvariantCulture), Is.EqualTo(CarvingReach.SurfaceExtents));
+        }
+
+        [Test]
+        public void SkipCells_AreTheSameInHlslAndCSharp()
+        {
+            string cells = Read("SkipCells.hlsl");
+            Assert.That(Define(cells, "CELL_SIZE"), Is.EqualTo(Constant("SkipStructure", "CellSize")));
+            Assert.That(1 << Define(cells, "CELL_SHIFT"), Is.EqualTo(Define(cells, "CELL_SIZE")));
+            Assert.That(Define(cells, "FARTHEST_CELL"), Is.EqualTo(Constant("SkipStructure", "FarthestCell")));
+            Assert.That(Define(cells, "CELLS_PER_TEXEL"), Is.EqualTo(Constant("SkipStructure", "CellsPerTexel")));
+            Assert.That(1 << Define(cells, "TEXEL_SHIFT"), Is.EqualTo(Define(cells, "CELLS_PER_TEXEL")));
+        }
+
+        [Test]
         public void SphereRow_HasTheSameLayoutInHlslAndCSharp()
         {
             Type row = Package.GetType("AnatomyCarve.SphereBuffers+SphereRow", true);
