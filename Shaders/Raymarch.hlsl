@@ -13,8 +13,14 @@
 // where the ray leaves. Each step is sampled in its middle: opacity a per reference length gives  alpha = 1 - (1 - a)^(length of the step in
 // reference lengths).  Steps whose cell is empty add nothing and are not sampled; that changes no result.
 //
-// The first visible segment is where accumulated alpha reaches _March.z. In the step where it does so, and in the one before, alpha is accumulated
-// anew in _Skip.y parts of a step each; within its part alpha grows as 1 - (1 - a)^length, which is solved for the length.
+// Light changes more slowly along a ray than opacity: steps are shaded by stretches, once at the mean place of a stretch's steps, each weighing by the alpha that
+// it adds. That is of second order, as the steps are, and an opaque surface is shaded once or twice. A stretch begins with a step that has something in it and
+// ends two steps (one, if steps are longer than half a reference length) after it has added SHADED_WEIGHT, at the latest twice as far from its beginning. It
+// also ends where alpha reaches SHADED_ALPHA, so that whether rays end there changes next to nothing.
+//
+// The first visible segment is where accumulated alpha reaches _March.z. From the beginning of the step before the one where it does so, alpha is accumulated
+// anew in _Skip.y parts of a step each; within its part alpha grows as 1 - (1 - a)^length, which is solved for the length. Where the parts add up to less than
+// the steps, it is looked for two steps further, and taken to be the end of the step if it is not there either.
 
 #ifndef PORTABLE_LAYOUT
 SamplerState sampler_LinearClamp;
@@ -23,6 +29,7 @@ Texture3D<uint> _SkipMap; // distances to the nearest occupied cell, four cells 
 
 static const float MAX_STEPS = 1048576.0; // so that no setting makes a ray endless
 static const float NO_DEPTH = asfloat(0x7F800000); // +infinity
+static const float SHADED_WEIGHT = 1.0 / 16.0, SHADED_ALPHA = 1.0 - 1.0 / 512.0;
 
 struct RayResult
 {
@@ -92,6 +99,7 @@ struct StepRay
     float3 first;
     float3 perStep;
     float3 stepsPerVoxel; // 1 / perStep; huge for an axis along which the ray does not move
+    float3 isBackwards;   // 1 for axes along which the index falls, else 0
 };
 
 float OpacityOnRay(StepRay ray, float position) { return OpacityAt(ray.first + position * ray.perStep); }
@@ -100,18 +108,16 @@ float OpacityOnRay(StepRay ray, float position) { return OpacityAt(ray.first + p
 uint StepBeyondCells(StepRay ray, uint n, float rayEnd, uint lastStep, out bool isEmpty)
 {
     const float INSIDE = 1e-3; // voxels; more than rounding does
-    int3 cells = CellDims();
     float middle = 0.5 * (float(n) + min(float(n) + 1.0, rayEnd)); // the last step may be a fraction
-    int3 cell = clamp((int3)floor(ray.first + middle * ray.perStep), int3(0, 0, 0), VolumeDims() - 1) >> CELL_SHIFT;
-    uint distance = (_SkipMap.Load(int4(cell.x >> TEXEL_SHIFT, cell.yz, 0)) >> (8u * ((uint)cell.x & (CELLS_PER_TEXEL - 1u)))) & 255u;
+    float3 cell = clamp(floor((ray.first + middle * ray.perStep) / CELL_SIZE), 0.0, float3(CellDims() - 1));
+    uint3 texel = (uint3)cell;
+    uint distance = (_SkipMap.Load(int4(texel.x >> TEXEL_SHIFT, texel.yz, 0)) >> (8u * (texel.x & (CELLS_PER_TEXEL - 1u)))) & 255u;
     isEmpty = distance > 0u;
-    int reach = max((int)distance - 1, 0);
-    int3 low = cell - reach, high = cell + 1 + reach;
-    // What lies beyond the outermost voxels belongs to the outermost cells.
-    float3 from = float3(low.x <= 0 ? -2.0 : low.x * CELL_SIZE + INSIDE, low.y <= 0 ? -2.0 : low.y * CELL_SIZE + INSIDE, low.z <= 0 ? -2.0 : low.z * CELL_SIZE + INSIDE);
-    float3 to = float3(high.x >= cells.x ? cells.x * CELL_SIZE + 2.0 : high.x * CELL_SIZE - INSIDE,
-        high.y >= cells.y ? cells.y * CELL_SIZE + 2.0 : high.y * CELL_SIZE - INSIDE, high.z >= cells.z ? cells.z * CELL_SIZE + 2.0 : high.z * CELL_SIZE - INSIDE);
-    float3 leave = float3(ray.perStep.x < 0.0 ? from.x : to.x, ray.perStep.y < 0.0 ? from.y : to.y, ray.perStep.z < 0.0 ? from.z : to.z);
+    float reach = max(float(distance), 1.0) - 1.0;
+    // Where the ray leaves along each axis. The first cells begin below the first voxels' centres.
+    float3 leave = (cell + lerp(1.0 + reach, -reach, ray.isBackwards)) * CELL_SIZE;
+    leave += float3(ray.isBackwards.x == 0.0 ? -INSIDE : leave.x <= 0.0 ? -CELL_SIZE : INSIDE, ray.isBackwards.y == 0.0 ? -INSIDE : leave.y <= 0.0 ? -CELL_SIZE : INSIDE,
+        ray.isBackwards.z == 0.0 ? -INSIDE : leave.z <= 0.0 ? -CELL_SIZE : INSIDE);
     float3 steps = (leave - ray.first) * ray.stepsPerVoxel;
     float beyond = ceil(min(steps.x, min(steps.y, steps.z)) - 0.5);
     return (uint)clamp(beyond, float(n + 1u), float(max(lastStep, n + 1u)));
@@ -140,6 +146,20 @@ float FirstVisiblePosition(StepRay ray, float begin, float end, float alpha, ino
     return position;
 }
 
+// Colour of matter at a place between voxels.
+float3 ShadedColor(float3 index, float3 lengthAhead, float3 toViewer, float3 toLight)
+{
+    float3 base = float3(0.0, 0.0, 0.0);
+    bool isFound = false;
+    [loop]
+    for (uint look = 0u; look < 2u && !isFound; look++) // filters spread opacity in front of matter
+        isFound = MatterColor(look == 0u ? index : index + lengthAhead, base);
+    [branch]
+    if (!isFound)
+        base = SegmentColor(SegmentAround(int3(floor(index))));
+    return BlinnPhong(base, BlendedNormal(index), toViewer, toLight);
+}
+
 // origin, direction: centred mm; a point of the ray is origin + t * direction. toLight: unit vector, centred mm.
 RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT, float3 toLight)
 {
@@ -159,101 +179,74 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT, flo
         float stepT = _March.x * _CentreIndex.w / mmPerT;
         float steps = min((farT - nearT) / stepT, MAX_STEPS); // the last one may be a fraction
         uint stepCount = (uint)ceil(steps);
+        uint stretch = _March.x > 0.5 ? 1u : 2u; // steps
         StepRay ray;
         ray.first = start + nearT * velocity;
         ray.perStep = stepT * velocity;
         ray.stepsPerVoxel = float3(abs(ray.perStep.x) > 1e-20 ? 1.0 / ray.perStep.x : 1e20, abs(ray.perStep.y) > 1e-20 ? 1.0 / ray.perStep.y : 1e20,
             abs(ray.perStep.z) > 1e-20 ? 1.0 / ray.perStep.z : 1e20);
-        int3 lookedUp = int3(-2, -2, -2); // the corner whose segment is known: no ray gets there
-        uint segment = NO_SEGMENT;
-        float3 segmentColor = float3(0.0, 0.0, 0.0);
-        bool isBorder = false; // whether other segments are at the corner as well
-        bool seen = false;
-        float visibleAt = 0.0;  // in steps
-        uint visibleSegment = NO_SEGMENT; // that of the sample there
-        float beforeLast = 0.0; // alpha before the last step but one
+        ray.isBackwards = float3(ray.perStep.x < 0.0 ? 1.0 : 0.0, ray.perStep.y < 0.0 ? 1.0 : 0.0, ray.perStep.z < 0.0 ? 1.0 : 0.0);
         float logThrough = 0.0; // of the light that has passed so far: weights are differences of its powers, so that rounding does not add up
-        uint lastShaded = stepCount;
+        float alpha = 0.0;
+        float visible = -1.0;   // the step in which alpha reaches _March.z
+        float beforeVisible = 0.0; // alpha where the step before that one begins
+        float earlier = 0.0;    // alpha where the last step that was not empty begins
+        uint last = stepCount;  // that step
         uint sampleUntil = _Skip.x > 0.0 ? 0u : stepCount; // in occupied cells up to here
         uint n = 0u;
         [loop]
-        while (n < stepCount && result.color.a < _March.y)
+        while (n < stepCount && alpha < _March.y)
         {
-            float opacity = 0.0, begin = 0.0, end = 0.0;
+            uint from = stepCount, until = stepCount; // the stretch's steps
+            float weight = 0.0, moment = 0.0;         // of its steps; about its beginning
             [loop]
-            while (n < stepCount && opacity == 0.0) // on to the next step with something in it
+            while (n < until && alpha < _March.y)
             {
                 [loop]
-                while (n >= sampleUntil && n < stepCount)
+                while (n >= sampleUntil && n < until)
                 {
                     bool isEmpty;
                     sampleUntil = StepBeyondCells(ray, n, steps, stepCount, isEmpty);
                     n = isEmpty ? sampleUntil : n;
                     result.lookups++;
                 }
-                if (n < stepCount)
+                float begin = float(n), end = min(begin + 1.0, steps);
+                float opacity = n < until ? OpacityOnRay(ray, 0.5 * (begin + end)) : 0.0;
+                result.samples += n < until ? 1u : 0u;
+                if (opacity > 0.0)
                 {
-                    begin = float(n);
-                    end = min(begin + 1.0, steps);
-                    opacity = OpacityOnRay(ray, 0.5 * (begin + end));
-                    result.samples++;
-                    n++;
+                    if (alpha == 0.0)
+                        result.enterMm = (nearT + begin * stepT) * mmPerT;
+                    from = min(from, n);
+                    float before = alpha;
+                    logThrough += (end - begin) * _March.x * log2(max(1.0 - opacity, 1e-30));
+                    alpha = opacity < 1.0 ? max(1.0 - exp2(logThrough), before) : 1.0; // matter of opacity 1 stops all light, however short the step
+                    weight += alpha - before;
+                    until = alpha < SHADED_ALPHA ? min(until, weight < SHADED_WEIGHT ? from + 2u * stretch : n + stretch) : n + 1u;
+                    moment += (alpha - before) * (0.5 * (begin + end) - float(from));
+                    if (visible < 0.0 && alpha >= _March.z)
+                    {
+                        visible = begin;
+                        beforeVisible = last + 1u == n ? earlier : before;
+                    }
+                    earlier = before;
+                    last = n;
                 }
+                n += n < until ? 1u : 0u;
             }
-            if (opacity > 0.0)
-            {
-                float3 index = ray.first + 0.5 * (begin + end) * ray.perStep;
-                int3 corner = int3(floor(index));
-                if (any(corner != lookedUp))
-                {
-                    lookedUp = corner;
-                    segment = SegmentOfEight(corner, isBorder);
-                    segmentColor = SegmentColor(segment);
-                }
-                uint shown = segment;
-                float3 base = segmentColor;
-                [branch]
-                if (segment == NO_SEGMENT) // anti-aliasing alone put something here
-                {
-                    bool ignored;
-                    shown = SegmentOfEight(int3(floor(index + ray.perStep / _March.x)), ignored);
-                    [branch]
-                    if (shown == NO_SEGMENT)
-                        shown = SegmentAround(corner);
-                    base = SegmentColor(shown);
-                }
-                float before = result.color.a;
-                if (before == 0.0)
-                    result.enterMm = (nearT + begin * stepT) * mmPerT;
-                if (lastShaded + 2u != n)
-                    beforeLast = before; // the step before was empty
-                float lengths = (end - begin) * _March.x; // of the step, in reference lengths
-                logThrough += lengths * log2(max(1.0 - opacity, 1e-30));
-                float after = opacity < 1.0 ? 1.0 - exp2(logThrough) : 1.0; // matter of opacity 1 stops all light, however short the step
-                float weight = max(after - before, 0.0);
-                [branch]
-                if (isBorder)
-                    base = BorderColor(index, segmentColor);
-                result.color.rgb += weight * BlinnPhong(base, BlendedNormal(index), toViewer, toLight);
-                result.color.a = after;
-                if (!seen && result.color.a >= _March.z)
-                {
-                    visibleSegment = shown;
-                    visibleAt = begin; // where an earlier step should have shown it and did not, quite
-                    if (beforeLast < _March.z)
-                        visibleAt = FirstVisiblePosition(ray, max(begin - 1.0, 0.0), end, beforeLast, result.samples);
-                    seen = visibleAt >= 0.0; // else a later step is to show it, or what is left of the ray does not
-                    visibleAt = seen ? visibleAt : end;
-                }
-                beforeLast = before;
-                lastShaded = n - 1u;
-            }
+            if (weight > 0.0)
+                result.color.rgb += weight * ShadedColor(ray.first + (float(from) + moment / weight) * ray.perStep, ray.perStep / _March.x, toViewer, toLight);
         }
-        if (result.color.a >= _March.z)
+        result.color.a = alpha;
+        if (visible >= 0.0)
         {
-            uint there = SegmentAround(int3(floor(ray.first + visibleAt * ray.perStep)));
-            result.segment = there != NO_SEGMENT ? there : visibleSegment;
-            result.depthMm = (nearT + visibleAt * stepT) * mmPerT;
+            float position = FirstVisiblePosition(ray, max(visible - 1.0, 0.0), min(visible + 3.0, steps), beforeVisible, result.samples);
+            float stepEnd = min(visible + 1.0, steps);
+            position = position < 0.0 ? stepEnd : position;
+            [loop]
+            for (uint look = 0u; look < 2u && result.segment == NO_SEGMENT; look++) // the step's sample has matter around, should the place have none
+                result.segment = SegmentAround(int3(floor(ray.first + (look == 0u ? position : 0.5 * (visible + stepEnd)) * ray.perStep)));
+            result.depthMm = (nearT + position * stepT) * mmPerT;
         }
     }
     return result;

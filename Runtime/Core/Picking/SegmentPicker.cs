@@ -8,11 +8,12 @@ namespace AnatomyCarve.Picking
     /// The walk of one ray to the first visible segment, in double precision: the CPU twin of <c>Raymarch.hlsl</c>, on the same samples. The part of the
     /// ray inside the volume's box is cut into steps from where the ray enters (the last step ends where it leaves); each is sampled in its
     /// middle, and a sample of opacity a per reference length adds 1 - (1 - a)^length. Where accumulated alpha reaches the threshold is looked
-    /// for in parts of that step and of the one before. Bricks in which nothing is visible are skipped; that changes no result.
+    /// for in parts of steps, from the beginning of the step before on. Bricks in which nothing is visible are skipped; that changes no result.
     /// </summary>
     public static class SegmentPicker
     {
         const double MaxSteps = 1048576;
+        const int FurtherSteps = 2; // in which the first visible point may lie, where parts of steps add up to less than steps
 
         /// <summary>Finds the first visible segment on a ray.</summary>
         /// <param name="field">The carved volume.</param>
@@ -50,8 +51,6 @@ namespace AnatomyCarve.Picking
             double alpha = 0;
             double beforeLast = 0; // alpha before the last step but one
             double lastSeen = -2;
-            double last = 0;
-            VectorMm lastSample = default;
             double n = 0;
             while (n < steps && alpha < settings.OpaqueAlpha)
             {
@@ -72,20 +71,16 @@ namespace AnatomyCarve.Picking
                     alpha = before + (1 - before) * (1 - Math.Exp(LogPassing(opacity, (end - n) * settings.StepReference)));
                     if (alpha >= settings.FirstVisibleAlpha)
                     {
-                        double position = beforeLast < settings.FirstVisibleAlpha
-                            ? FirstVisiblePosition(field, path, settings, near, stepMm, Math.Max(n - 1, 0), end, beforeLast)
-                            : n; // where an earlier step should have shown it and did not, quite
-                        if (position >= 0)
-                            return HitAt(field, ray, path, near + position * stepMm, index);
-                        last = end; // a later step is to show it, or what is left of the ray does not
-                        lastSample = index;
+                        double position = FirstVisiblePosition(
+                            field, path, settings, near, stepMm, Math.Max(n - 1, 0), Math.Min(n + 1 + FurtherSteps, steps), beforeLast);
+                        return HitAt(field, ray, path, near + (position >= 0 ? position : end) * stepMm, index);
                     }
                     beforeLast = before;
                     lastSeen = n;
                 }
                 n++;
             }
-            return last > 0 ? HitAt(field, ray, path, near + last * stepMm, lastSample) : SegmentHit.None;
+            return SegmentHit.None;
         }
 
         /// <summary>

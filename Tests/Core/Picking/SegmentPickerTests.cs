@@ -240,18 +240,15 @@ namespace AnatomyCarve.Tests.Picking
                 return new SegmentHit(segment >= 0 ? segment : field.SegmentAt(sample.X, sample.Y, sample.Z), ray.At(distance), distance);
             }
             double wanted = 1 - settings.FirstVisibleAlpha, passed = 1, passedBefore = 1;
-            SegmentHit late = SegmentHit.None;
             for (double begin = near; begin < far && 1 - passed < settings.OpaqueAlpha; begin += step)
             {
                 double end = Math.Min(begin + step, far), stillPassing = passed * Passing(begin, end);
-                if (stillPassing <= wanted && stillPassing < passed)
+                if (stillPassing <= wanted)
                 {
-                    if (passedBefore <= wanted)
-                        return HitAt(begin, 0.5 * (begin + end)); // an earlier step should have shown it
-                    double light = passedBefore;
-                    for (double from = begin > near ? begin - step : near; from < end - 1e-12 * end; from += step / 4)
+                    double light = passedBefore, furthest = Math.Min(begin + 3 * step, far);
+                    for (double from = begin > near ? begin - step : near; from < furthest - 1e-12 * furthest; from += step / 4)
                     {
-                        double to = Math.Min(from + step / 4, end), after = light * Passing(from, to);
+                        double to = Math.Min(from + step / 4, furthest), after = light * Passing(from, to);
                         if (after <= wanted)
                         {
                             double share = after > 0 ? Math.Log(wanted / light) / Math.Log(after / light) : 0;
@@ -259,12 +256,12 @@ namespace AnatomyCarve.Tests.Picking
                         }
                         light = after;
                     }
-                    late = HitAt(end, 0.5 * (begin + end));
+                    return HitAt(end, 0.5 * (begin + end));
                 }
                 passedBefore = passed;
                 passed = stillPassing;
             }
-            return late;
+            return SegmentHit.None;
         }
 
         static double Sample(CarvedField field, PointMm index)

@@ -19,6 +19,7 @@ namespace AnatomyCarve.Tests.Kernels
 
         const double HairVoxels = 1e-4;
         const double HairAlpha = 1e-4;
+        const double ShadedWeight = 1.0 / 16, ShadedAlpha = 1 - 1.0 / 512;
 
         readonly RayScene scene;
         readonly KernelGrid grid;
@@ -54,52 +55,65 @@ namespace AnatomyCarve.Tests.Kernels
             double[] toViewer = RayScene.Scale(direction, -1 / mmPerT);
             double stepT = scene.Step * grid.ReferenceMm / mmPerT;
             double steps = (far - near) / stepT;
-            double beforeLast = 0;
+            int stretch = scene.Step > 0.5 ? 1 : 2;
+            int from = -1, until = int.MaxValue; // the stretch's steps
+            double beforeLast = 0, weight = 0, moment = 0;
             for (int n = 0; n < steps && ray.Color[3] < scene.OpaqueAlpha; n++)
             {
+                if (n >= until)
+                {
+                    ShadeStretch(ray, start, velocity, near, stepT, moment / weight, weight, toViewer);
+                    (from, until, weight, moment) = (-1, int.MaxValue, 0, 0);
+                }
                 ray.Samples++;
-                double before = ray.Color[3];
-                Step(ray, start, velocity, near, stepT, mmPerT, n, Math.Min(n + 1, steps), toViewer, beforeLast);
+                double before = ray.Color[3], end = Math.Min(n + 1, steps);
+                double opacity = Trilinear(At(start, velocity, near + 0.5 * (n + end) * stepT));
+                if (opacity > 0)
+                {
+                    from = from < 0 ? n : from;
+                    double added = (1 - before) * (1 - Math.Pow(1 - opacity, (end - n) * scene.Step));
+                    ray.Color[3] = before + added;
+                    weight += added;
+                    moment += added * 0.5 * (n + end);
+                    until = ray.Color[3] < ShadedAlpha ? Math.Min(until, weight < ShadedWeight ? from + 2 * stretch : n + stretch) : n + 1;
+                    ray.ColorUndecided |= Math.Abs(weight - ShadedWeight) < HairAlpha || Math.Abs(ray.Color[3] - ShadedAlpha) < HairAlpha;
+                    ray.ColorUndecided |= Math.Abs(ray.Color[3] - scene.OpaqueAlpha) < HairAlpha;
+                    ray.VisibilityUndecided |= Math.Abs(ray.Color[3] - scene.VisibleAlpha) < HairAlpha;
+                    if (before < scene.VisibleAlpha && ray.Color[3] >= scene.VisibleAlpha)
+                        FindVisible(ray, start, velocity, near, stepT, mmPerT, steps, n, beforeLast);
+                }
                 beforeLast = before;
             }
+            if (weight > 0)
+                ShadeStretch(ray, start, velocity, near, stepT, moment / weight, weight, toViewer);
             return ray;
         }
 
-        void Step(Ray ray, double[] start, double[] velocity, double near, double stepT, double mmPerT, double begin, double end, double[] toViewer, double beforeLast)
+        void ShadeStretch(Ray ray, double[] start, double[] velocity, double near, double stepT, double position, double weight, double[] toViewer)
         {
-            double[] p = At(start, velocity, near + 0.5 * (begin + end) * stepT);
-            double opacity = Trilinear(p);
-            if (opacity <= 0)
-                return;
-            int segment = SegmentOfSample(p, start, velocity, stepT, out bool undecided);
-            double before = ray.Color[3], lengths = (end - begin) * scene.Step;
-            double passing = Math.Pow(1 - opacity, lengths), weight = (1 - before) * (1 - passing);
-            double[] shaded = Shade(segment, p, toViewer, out bool turnUndecided);
+            double[] p = At(start, velocity, near + position * stepT);
+            double[] shaded = Shade(BaseColor(p, start, velocity, stepT, out bool undecided), p, toViewer, out bool turnUndecided);
             for (int c = 0; c < 3; c++)
                 ray.Color[c] += weight * shaded[c];
-            double after = before + weight;
-            ray.Color[3] = after;
             ray.ColorUndecided |= (undecided || turnUndecided) && weight > 1e-3;
-            ray.ColorUndecided |= Math.Abs(after - scene.OpaqueAlpha) < HairAlpha;
-            ray.VisibilityUndecided |= Math.Abs(after - scene.VisibleAlpha) < HairAlpha;
-            if (ray.Found || after < scene.VisibleAlpha)
-                return;
-            double position = beforeLast < scene.VisibleAlpha
-                ? VisiblePosition(ray, start, velocity, near, stepT, Math.Max(begin - 1, 0), end, beforeLast)
-                : begin;
-            ray.VisibilityUndecided |= Math.Abs(beforeLast - scene.VisibleAlpha) < HairAlpha;
+        }
+
+        void FindVisible(
+            Ray ray, double[] start, double[] velocity, double near, double stepT, double mmPerT, double steps, int step, double beforeLast)
+        {
+            double end = Math.Min(step + 1, steps);
+            double position = VisiblePosition(ray, start, velocity, near, stepT, Math.Max(step - 1, 0), Math.Min(step + 3, steps), beforeLast);
             ray.Found = position >= 0;
             double t = near + stepT * (ray.Found ? position : end);
             ray.DepthMm = t * mmPerT;
             ray.Segment = SegmentAround(At(start, velocity, t), out ray.SegmentUndecided);
-            if (ray.Segment == RayScene.NoSegment)
-            {
-                ray.Segment = segment;
-                ray.SegmentUndecided |= undecided;
-            }
+            if (ray.Segment != RayScene.NoSegment)
+                return;
+            ray.Segment = SegmentAround(At(start, velocity, near + 0.5 * (step + end) * stepT), out bool undecided);
+            ray.SegmentUndecided |= undecided;
         }
 
-        /// <summary>In the step where alpha reaches the threshold, and in the one before, alpha is accumulated anew in quarters of a step.</summary>
+        /// <summary>From the beginning of the step before the one where alpha reaches the threshold, alpha is accumulated anew in quarters of a step.</summary>
         double VisiblePosition(Ray ray, double[] start, double[] velocity, double near, double stepT, double begin, double end, double alpha)
         {
             for (double from = begin; from < end; from += 0.25)
@@ -133,7 +147,7 @@ namespace AnatomyCarve.Tests.Kernels
             far = Math.Min(far, Math.Max(a, b));
         }
 
-        double[] Shade(int segment, double[] p, double[] toViewer, out bool undecided)
+        double[] Shade(double[] baseColor, double[] p, double[] toViewer, out bool undecided)
         {
             double[] normal = BlendedNormal(p);
             double length = Length(normal);
@@ -150,26 +164,46 @@ namespace AnatomyCarve.Tests.Kernels
             double diffuse = scene.Diffuse * Math.Max(0, Dot(n, scene.Light));
             double specular = scene.Specular * Math.Pow(Math.Max(0, Dot(n, halfway)), scene.Shininess);
             var color = new double[3];
-            double[] baseColor = BaseColor(segment, p);
             for (int c = 0; c < 3; c++)
                 color[c] = baseColor[c] * (scene.Ambient + diffuse * scene.LightColor[c]) + specular * scene.LightColor[c];
             return color;
         }
 
-        /// <summary>The colours of the eight voxels around, by share and opacity; where all are empty, the segment's.</summary>
-        double[] BaseColor(int segment, double[] p)
+        /// <summary>
+        /// The colours of the eight voxels around, by share and opacity; where all are empty, of those a reference length further; where these are, the colour of
+        /// the segment of the 64 around.
+        /// </summary>
+        double[] BaseColor(double[] p, double[] start, double[] velocity, double stepT, out bool undecided)
+        {
+            double[] ahead = new double[3];
+            for (int axis = 0; axis < 3; axis++)
+                ahead[axis] = p[axis] + velocity[axis] * stepT / scene.Step;
+            double[] color = MatterColor(p, out double share);
+            undecided = share < HairVoxels && share != 0; // hardly anything there
+            if (share > 0)
+                return color;
+            color = MatterColor(ahead, out share);
+            undecided = share < HairVoxels && share != 0;
+            if (share > 0)
+                return color;
+            int segment = SegmentAround(p, out undecided);
+            Vector4 own = scene.Colors[segment == RayScene.NoSegment ? 0 : segment];
+            return new double[] { own.x, own.y, own.z };
+        }
+
+        double[] MatterColor(double[] p, out double share)
         {
             var sum = new double[4];
-            ForCorners(p, (voxel, share) =>
+            ForCorners(p, (voxel, part) =>
             {
                 Vector4 color = scene.Colors[scene.Labels[voxel]];
-                double weight = share * scene.Opacity[voxel];
+                double weight = part * scene.Opacity[voxel];
                 for (int c = 0; c < 3; c++)
                     sum[c] += weight * color[c];
                 sum[3] += weight;
             });
-            Vector4 own = scene.Colors[segment == RayScene.NoSegment ? 0 : segment];
-            return sum[3] > 0 ? new[] { sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3] } : new double[] { own.x, own.y, own.z };
+            share = sum[3];
+            return new[] { sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3] };
         }
 
         double[] BlendedNormal(double[] p)
@@ -200,22 +234,6 @@ namespace AnatomyCarve.Tests.Kernels
                 double weight = (di == 0 ? 1 - (p[0] - i) : p[0] - i) * (dj == 0 ? 1 - (p[1] - j) : p[1] - j) * (dk == 0 ? 1 - (p[2] - k) : p[2] - k);
                 action(Clamped(i + di, j + dj, k + dk), weight);
             }
-        }
-
-        /// <summary>That of the eight voxels around; where these are empty, of those a reference length further; else of the 64 around.</summary>
-        int SegmentOfSample(double[] p, double[] start, double[] velocity, double stepT, out bool undecided)
-        {
-            int segment = SegmentAround(p, out undecided);
-            if (MostOpaque((int)Math.Floor(p[0]), (int)Math.Floor(p[1]), (int)Math.Floor(p[2]), 0, 1) >= 0)
-                return segment;
-            double[] ahead = new double[3];
-            for (int axis = 0; axis < 3; axis++)
-                ahead[axis] = p[axis] + velocity[axis] * stepT / scene.Step;
-            if (MostOpaque((int)Math.Floor(ahead[0]), (int)Math.Floor(ahead[1]), (int)Math.Floor(ahead[2]), 0, 1) < 0)
-                return segment;
-            segment = SegmentAround(ahead, out bool aheadUndecided);
-            undecided |= aheadUndecided;
-            return segment;
         }
 
         /// <summary>The segment at a point; undecided when a point a hair's breadth away has another.</summary>

@@ -68,20 +68,6 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error.Reference
             return colors;
         }
 
-        /// <summary>
-        /// The segment whose colour a sample has: that of the eight voxels around; where these are empty, of those a reference length further on the ray; else of
-        /// the 4 x 4 x 4 around; -1 = none.
-        /// </summary>
-        public int SegmentOfSample(double distanceMm)
-        {
-            Enter(distanceMm, out _, out _, out _);
-            var own = field.SegmentOfEight(corner.I, corner.J, corner.K);
-            if (own >= 0) return own;
-            var ahead = start + (distanceMm + field.Geometry.ReferenceLengthMm) * perMm;
-            var further = field.SegmentOfEight((int)Math.Floor(ahead.X), (int)Math.Floor(ahead.Y), (int)Math.Floor(ahead.Z));
-            return further >= 0 ? further : SegmentAt(distanceMm);
-        }
-
         /// <summary>The segment shown at a distance; -1 = none.</summary>
         public int SegmentAt(double distanceMm)
         {

@@ -58,9 +58,8 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error.Reference
                 if (opacity <= 0) continue;
                 var logPassing = opacity < 1 ? length / field.Geometry.ReferenceLengthMm * Math.Log(1 - opacity) : double.NegativeInfinity;
                 var after = through * Math.Exp(logPassing);
-                var segment = path.SegmentOfSample(middle);
                 var (diffuse, specular) = Shade(path.NormalAt(middle), -ray.Direction, toLight);
-                var color = ColorAt(path, middle, Math.Max(segment, 0));
+                var color = ColorAt(path, middle);
                 var weight = through - after;
                 red += weight * (color.R * diffuse.R + specular.R);
                 green += weight * (color.G * diffuse.G + specular.G);
@@ -70,7 +69,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error.Reference
                     var share = opacity < 1 ? Math.Clamp(Math.Log((1 - VisibleAlpha) / through) / logPassing, 0, 1) : 0;
                     depth = begin + share * length;
                     var there = path.SegmentAt(depth);
-                    seen = (ushort)(there >= 0 ? there : segment);
+                    seen = (ushort)(there >= 0 ? there : path.SegmentAt(middle));
                 }
 
                 through = after;
@@ -81,17 +80,27 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error.Reference
             picture.Segments[pixel] = seen;
         }
 
-        /// <summary>That of the voxels around, each by its share and its opacity; where all are empty, the segment's.</summary>
-        Rgba ColorAt(ReferenceRay path, double distanceMm, int segment)
+        /// <summary>
+        /// That of the voxels around, each by its share and its opacity; where all are empty, likewise a reference length further; where these are, that of the
+        /// segment around.
+        /// </summary>
+        Rgba ColorAt(ReferenceRay path, double distanceMm)
+        {
+            if (Blended(path.ColorsAt(distanceMm)) is { } here) return here;
+            if (Blended(path.ColorsAt(distanceMm + field.Geometry.ReferenceLengthMm)) is { } ahead) return ahead;
+            return segmentColors[Math.Max(path.SegmentAt(distanceMm), 0)];
+        }
+
+        Rgba? Blended(ReadOnlySpan<(int Segment, double Weight)> colors)
         {
             double r = 0, g = 0, b = 0, sum = 0;
-            foreach (var (one, weight) in path.ColorsAt(distanceMm))
+            foreach (var (one, weight) in colors)
             {
                 var color = segmentColors[one];
                 (r, g, b, sum) = (r + weight * color.R, g + weight * color.G, b + weight * color.B, sum + weight);
             }
 
-            return sum > 0 ? new Rgba(r / sum, g / sum, b / sum, 1) : segmentColors[segment];
+            return sum > 0 ? new Rgba(r / sum, g / sum, b / sum, 1) : null;
         }
 
         /// <summary>Blinn-Phong, as Shaders/Shading.hlsl has it: what the surface's own colour is multiplied with, and what is added.</summary>
