@@ -9,7 +9,8 @@
 
 #define TILE_SIZE (BRICK_SIZE + 2)
 #define TILE_VOXELS (TILE_SIZE * TILE_SIZE * TILE_SIZE)
-#define NEIGHBOURHOOD 27
+#define PLANE 9
+#define NEIGHBOURHOOD 27 // i fastest; 13 is the voxel itself
 
 // Gradients below this are none, but for rounding: half of the smallest that 8-bit opacities can have, 1 / (255 * 32).
 static const float NO_GRADIENT = 0.5 / (255.0 * 32.0);
@@ -29,13 +30,13 @@ void FillOpacityTile(int3 brickOrigin, uint threadIndex, float outsideFactor)
     }
 }
 
-// The 27 opacities around a voxel of the brick (offset 0..7 per axis), i fastest; 13 is the voxel itself.
-void ReadNeighbourhood(uint3 offset, out float o[NEIGHBOURHOOD])
+// The 3x3 opacities around a column of the brick (offset 0..7 per axis) in a plane of the tile (0..9), i fastest.
+void ReadPlane(uint2 offset, uint plane, out float o[PLANE])
 {
-    uint first = offset.x + TILE_SIZE * (offset.y + TILE_SIZE * offset.z);
+    uint first = offset.x + TILE_SIZE * (offset.y + TILE_SIZE * plane);
     [unroll]
-    for (uint n = 0u; n < NEIGHBOURHOOD; n++)
-        o[n] = OpacityTile[first + n % 3u + TILE_SIZE * ((n / 3u) % 3u) + TILE_SIZE * TILE_SIZE * (n / 9u)];
+    for (uint n = 0u; n < PLANE; n++)
+        o[n] = OpacityTile[first + n % 3u + TILE_SIZE * (n / 3u)];
 }
 
 // Three-dimensional Sobel gradient, opacity per voxel: [1 2 1] x [1 2 1] x [-1 0 1] / 32. Differences come first, so equal values on
