@@ -13,10 +13,10 @@
 // where the ray leaves. Each step is sampled in its middle: opacity a per reference length gives  alpha = 1 - (1 - a)^(length of the step in
 // reference lengths).  Steps whose cell is empty add nothing and are not sampled; that changes no result.
 //
-// Light changes more slowly along a ray than opacity: steps are shaded by stretches, once at the mean place of a stretch's steps, each weighing by the alpha that
-// it adds. That is of second order, as the steps are, and an opaque surface is shaded once or twice. A stretch begins with a step that has something in it and
-// ends two steps (one, if steps are longer than half a reference length) after it has added SHADED_WEIGHT, at the latest twice as far from its beginning. It
-// also ends where alpha reaches SHADED_ALPHA, so that whether rays end there changes next to nothing.
+// Light changes more slowly along a ray than opacity: steps of half a reference length or less are shaded in pairs, an even one and the next, once at the mean
+// place of the two, each weighing by the alpha that it adds. That is of second order, as the steps are; and because the pairs are the same on all rays, what is
+// seen stays continuous from pixel to pixel. What adds less than SHADED_WEIGHT is shaded with what follows within MOST_SHADED steps. Nothing is shaded together
+// with what lies behind SHADED_ALPHA, so that whether rays end there changes next to nothing.
 //
 // The first visible segment is where accumulated alpha reaches _March.z. From the beginning of the step before the one where it does so, alpha is accumulated
 // anew in _Skip.y parts of a step each; within its part alpha grows as 1 - (1 - a)^length, which is solved for the length. Where the parts add up to less than
@@ -29,7 +29,8 @@ Texture3D<uint> _SkipMap; // distances to the nearest occupied cell, four cells 
 
 static const float MAX_STEPS = 1048576.0; // so that no setting makes a ray endless
 static const float NO_DEPTH = asfloat(0x7F800000); // +infinity
-static const float SHADED_WEIGHT = 1.0 / 16.0, SHADED_ALPHA = 1.0 - 1.0 / 512.0;
+static const float SHADED_WEIGHT = 1.0 / 128.0, SHADED_ALPHA = 1.0 - 1.0 / 512.0;
+static const uint MOST_SHADED = 7u;
 
 struct RayResult
 {
@@ -179,7 +180,7 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT, flo
         float stepT = _March.x * _CentreIndex.w / mmPerT;
         float steps = min((farT - nearT) / stepT, MAX_STEPS); // the last one may be a fraction
         uint stepCount = (uint)ceil(steps);
-        uint stretch = _March.x > 0.5 ? 1u : 2u; // steps
+        uint pairing = _March.x > 0.5 ? 0u : 1u;
         StepRay ray;
         ray.first = start + nearT * velocity;
         ray.perStep = stepT * velocity;
@@ -222,7 +223,9 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT, flo
                     logThrough += (end - begin) * _March.x * log2(max(1.0 - opacity, 1e-30));
                     alpha = opacity < 1.0 ? max(1.0 - exp2(logThrough), before) : 1.0; // matter of opacity 1 stops all light, however short the step
                     weight += alpha - before;
-                    until = alpha < SHADED_ALPHA ? min(until, weight < SHADED_WEIGHT ? from + 2u * stretch : n + stretch) : n + 1u;
+                    uint pairEnd = (n | pairing) + 1u;
+                    pairEnd = weight < SHADED_WEIGHT ? min(pairEnd + 2u, (from | pairing) + MOST_SHADED) : pairEnd;
+                    until = min(alpha < SHADED_ALPHA ? pairEnd : n + 1u, stepCount);
                     moment += (alpha - before) * (0.5 * (begin + end) - float(from));
                     if (visible < 0.0 && alpha >= _March.z)
                     {

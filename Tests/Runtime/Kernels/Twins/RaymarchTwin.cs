@@ -19,7 +19,8 @@ namespace AnatomyCarve.Tests.Kernels
 
         const double HairVoxels = 1e-4;
         const double HairAlpha = 1e-4;
-        const double ShadedWeight = 1.0 / 16, ShadedAlpha = 1 - 1.0 / 512;
+        const double HairWeight = 1e-6;
+        const double ShadedWeight = 1.0 / 128, ShadedAlpha = 1 - 1.0 / 512;
 
         readonly RayScene scene;
         readonly KernelGrid grid;
@@ -55,7 +56,7 @@ namespace AnatomyCarve.Tests.Kernels
             double[] toViewer = RayScene.Scale(direction, -1 / mmPerT);
             double stepT = scene.Step * grid.ReferenceMm / mmPerT;
             double steps = (far - near) / stepT;
-            int stretch = scene.Step > 0.5 ? 1 : 2;
+            int pairing = scene.Step > 0.5 ? 0 : 1;
             int from = -1, until = int.MaxValue; // the stretch's steps
             double beforeLast = 0, weight = 0, moment = 0;
             for (int n = 0; n < steps && ray.Color[3] < scene.OpaqueAlpha; n++)
@@ -75,8 +76,10 @@ namespace AnatomyCarve.Tests.Kernels
                     ray.Color[3] = before + added;
                     weight += added;
                     moment += added * 0.5 * (n + end);
-                    until = ray.Color[3] < ShadedAlpha ? Math.Min(until, weight < ShadedWeight ? from + 2 * stretch : n + stretch) : n + 1;
-                    ray.ColorUndecided |= Math.Abs(weight - ShadedWeight) < HairAlpha || Math.Abs(ray.Color[3] - ShadedAlpha) < HairAlpha;
+                    int pairEnd = (n | pairing) + 1;
+                    pairEnd = weight < ShadedWeight ? Math.Min(pairEnd + 2, (from | pairing) + 7) : pairEnd;
+                    until = ray.Color[3] < ShadedAlpha ? pairEnd : n + 1;
+                    ray.ColorUndecided |= Math.Abs(weight - ShadedWeight) < HairWeight || Math.Abs(ray.Color[3] - ShadedAlpha) < HairWeight;
                     ray.ColorUndecided |= Math.Abs(ray.Color[3] - scene.OpaqueAlpha) < HairAlpha;
                     ray.VisibilityUndecided |= Math.Abs(ray.Color[3] - scene.VisibleAlpha) < HairAlpha;
                     if (before < scene.VisibleAlpha && ray.Color[3] >= scene.VisibleAlpha)
