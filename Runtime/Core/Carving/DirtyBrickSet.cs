@@ -15,21 +15,12 @@ namespace AnatomyCarve.Carving
     /// </summary>
     public sealed class DirtyBrickSet
     {
-        /// <summary>Up to so many differing spheres, each brick's own surroundings are looked at; beyond, all bricks around a dirty one are dirty too.</summary>
-        const int FewSpheres = 16;
-
         const int Size = BrickGrid.BrickSize;
 
-        readonly CentredGrid grid;
-        readonly SphereReach reach;
-        readonly SphereDifference difference = new SphereDifference();
-        readonly List<Changed> removed = new List<Changed>(), added = new List<Changed>(); // whole spheres
-        readonly List<Changed> remasked = new List<Changed>(), none = new List<Changed>(); // spheres of both, with the segments that only one of them clips
+        readonly ChangedSpheres changed;
         readonly BrickSet touched, dirty; // touched: without a halo
         IReadOnlyList<ClipSphere> lastBefore, lastAfter;
         CutMode lastCut;
-        VisibleContents contents;
-        SphereIndex index;
 
         /// <summary>Makes a set without bricks.</summary>
         /// <param name="bricks">The volume's bricks.</param>
@@ -38,8 +29,7 @@ namespace AnatomyCarve.Carving
         public DirtyBrickSet(BrickGrid bricks, CentredGrid grid)
         {
             Bricks = bricks ?? throw new ArgumentNullException(nameof(bricks));
-            this.grid = grid ?? throw new ArgumentNullException(nameof(grid));
-            reach = new SphereReach(grid);
+            changed = new ChangedSpheres(bricks, grid ?? throw new ArgumentNullException(nameof(grid)));
             touched = new BrickSet(bricks.Count);
             dirty = new BrickSet(bricks.Count);
         }
@@ -63,12 +53,12 @@ namespace AnatomyCarve.Carving
         /// <exception cref="ArgumentException">It is another volume's.</exception>
         public VisibleContents Contents
         {
-            get => contents;
+            get => changed.Contents;
             set
             {
                 if (value != null && value.Count != Bricks.Count)
                     throw new ArgumentException(FormattableString.Invariant($"There are contents of {value.Count} bricks for {Bricks.Count}."), nameof(value));
-                contents = value;
+                changed.Contents = value;
                 lastBefore = null;
             }
         }
@@ -79,10 +69,10 @@ namespace AnatomyCarve.Carving
         /// </summary>
         public SphereIndex Index
         {
-            get => index;
+            get => changed.Index;
             set
             {
-                index = value;
+                changed.Index = value;
                 lastBefore = null;
             }
         }
@@ -121,7 +111,10 @@ namespace AnatomyCarve.Carving
             bool isSame = before is CarvingSnapshot && after is CarvingSnapshot
                 && ReferenceEquals(before, lastBefore) && ReferenceEquals(after, lastAfter) && cut == lastCut;
             if (!isSame)
-                Touch(before, after, cut);
+            {
+                changed.Take(before, after, cut);
+                Touch();
+            }
             lastBefore = before;
             lastAfter = after;
             lastCut = cut;
@@ -139,9 +132,7 @@ namespace AnatomyCarve.Carving
         public void ComputeNormals(IReadOnlyList<ClipSphere> before, IReadOnlyList<ClipSphere> after, CutMode cut)
         {
             Compute(before, after, cut, CarvingReach.NormalsVoxels);
-            AddSurfaces(removed, added);
-            AddSurfaces(added, removed);
-            AddSurfaces(remasked, none);
+            AddSurfaces();
             dirty.Sort();
         }
 
@@ -162,68 +153,26 @@ namespace AnatomyCarve.Carving
             }
         }
 
-        void Touch(IReadOnlyList<ClipSphere> before, IReadOnlyList<ClipSphere> after, CutMode cut)
+        void Touch()
         {
-            difference.Between(before, after);
-            remasked.Clear();
-            TakeRemasked(cut);
-            Ready(difference.Removed, removed, cut);
-            Ready(difference.Added, added, cut);
             touched.Clear();
-            Touch(removed, added, cut);
-            Touch(added, removed, cut);
-            Touch(remasked, none, cut);
-        }
-
-        /// <summary>Takes the spheres that stand in both carvings in the same place out of both lists: only the segments in which their masks differ matter.</summary>
-        void TakeRemasked(CutMode cut)
-        {
-            if (difference.Count > FewSpheres)
-                return;
-            for (int r = difference.Removed.Count - 1; r >= 0; r--)
+            for (int n = 0; n < changed.Count; n++)
             {
-                ClipSphere before = difference.Removed[r];
-                int a = difference.Added.FindIndex(sphere =>
-                    sphere.CentreLps.Equals(before.CentreLps) && sphere.RadiusMm.Equals(before.RadiusMm) && sphere.Mask.SegmentCount == before.Mask.SegmentCount);
-                if (a < 0)
-                    continue;
-                Ready(before, before.Mask.DifferenceFrom(difference.Added[a].Mask), remasked, cut);
-                difference.Removed.RemoveAt(r);
-                difference.Added.RemoveAt(a);
-            }
-        }
-
-        void Ready(List<ClipSphere> spheres, List<Changed> changed, CutMode cut)
-        {
-            changed.Clear();
-            foreach (ClipSphere sphere in spheres)
-                Ready(sphere, sphere.Mask, changed, cut);
-        }
-
-        void Ready(ClipSphere sphere, SegmentMask mask, List<Changed> changed, CutMode cut)
-        {
-            SphereF place = grid.ToCentred(sphere);
-            if (reach.TrySurfaceBox(place, out VoxelBox box))
-                changed.Add(new Changed(mask, reach.Of(place, cut), reach.SurfaceOf(place), box));
-        }
-
-        void Touch(List<Changed> spheres, List<Changed> opposite, CutMode cut)
-        {
-            foreach (Changed sphere in spheres)
-                for (int z = sphere.Box.MinK / Size; z <= sphere.Box.MaxK / Size; z++)
-                    for (int y = sphere.Box.MinJ / Size; y <= sphere.Box.MaxJ / Size; y++)
-                        for (int x = sphere.Box.MinI / Size; x <= sphere.Box.MaxI / Size; x++)
+                VoxelBox box = changed.BoxOf(n);
+                for (int z = box.MinK / Size; z <= box.MaxK / Size; z++)
+                    for (int y = box.MinJ / Size; y <= box.MaxJ / Size; y++)
+                        for (int x = box.MinI / Size; x <= box.MaxI / Size; x++)
                         {
                             int brick = Bricks.IndexOf(x, y, z);
-                            if (!touched[brick] && Matters(sphere, opposite, cut, x, y, z, Bricks.VoxelsOf(x, y, z)))
+                            if (!touched[brick] && changed.Matters(n, x, y, z, Bricks.VoxelsOf(x, y, z)))
                                 touched.Add(brick);
                         }
+            }
         }
 
         /// <summary>The bricks around a touched one are dirty where they are within the halo of a voxel that can differ.</summary>
         void Widen(int haloVoxels)
         {
-            bool few = removed.Count + added.Count + remasked.Count <= FewSpheres;
             for (int n = 0; n < touched.Indices.Count; n++)
             {
                 Bricks.BrickAt(touched.Indices[n], out int x, out int y, out int z);
@@ -234,7 +183,7 @@ namespace AnatomyCarve.Carving
                             if (!Bricks.Contains(x + dx, y + dy, z + dz))
                                 continue;
                             int beside = Bricks.IndexOf(x + dx, y + dy, z + dz);
-                            if (!dirty[beside] && (!few || Differs(x, y, z, Side(x, y, z, dx, dy, dz, haloVoxels))))
+                            if (!dirty[beside] && (!changed.AreFew || changed.AnyMatters(x, y, z, Side(x, y, z, dx, dy, dz, haloVoxels))))
                                 dirty.Add(beside);
                         }
             }
@@ -258,85 +207,20 @@ namespace AnatomyCarve.Carving
                 min = Math.Max(min, max - haloVoxels + 1);
         }
 
-        void AddSurfaces(List<Changed> spheres, List<Changed> opposite)
+        void AddSurfaces()
         {
-            foreach (Changed sphere in spheres)
-                for (int z = sphere.Box.MinK / Size; z <= sphere.Box.MaxK / Size; z++)
-                    for (int y = sphere.Box.MinJ / Size; y <= sphere.Box.MaxJ / Size; y++)
-                        for (int x = sphere.Box.MinI / Size; x <= sphere.Box.MaxI / Size; x++)
+            for (int n = 0; n < changed.Count; n++)
+            {
+                VoxelBox box = changed.BoxOf(n);
+                for (int z = box.MinK / Size; z <= box.MaxK / Size; z++)
+                    for (int y = box.MinJ / Size; y <= box.MaxJ / Size; y++)
+                        for (int x = box.MinI / Size; x <= box.MaxI / Size; x++)
                         {
                             int brick = Bricks.IndexOf(x, y, z);
-                            if (!dirty[brick] && LendsNormals(sphere, opposite, x, y, z))
+                            if (!dirty[brick] && changed.LendsNormals(n, x, y, z))
                                 dirty.Add(brick);
                         }
-        }
-
-        /// <summary>Whether a sphere that only one carving has can change the normals of a brick by itself, without a change of opacity near by.</summary>
-        bool LendsNormals(in Changed sphere, List<Changed> opposite, int x, int y, int z)
-        {
-            int brick = Bricks.IndexOf(x, y, z);
-            if (contents != null && !sphere.Mask.HoldsAny(contents[brick]))
-                return false;
-            VoxelBox box = Bricks.VoxelsOf(x, y, z);
-            BoxCover cover = reach.Cover(sphere.Surface, box);
-            if (cover != BoxCover.Whole)
-                return cover == BoxCover.Part;
-            foreach (Changed other in opposite)
-                if (reach.Cover(other.Surface, box) == BoxCover.Part)
-                    return true;
-            return index == null || index.HasOtherSurfaceIn(x, y, z);
-        }
-
-        bool Differs(int x, int y, int z, in VoxelBox box)
-        {
-            foreach (Changed sphere in removed)
-                if (Matters(sphere, added, lastCut, x, y, z, box))
-                    return true;
-            foreach (Changed sphere in added)
-                if (Matters(sphere, removed, lastCut, x, y, z, box))
-                    return true;
-            foreach (Changed sphere in remasked)
-                if (Matters(sphere, none, lastCut, x, y, z, box))
-                    return true;
-            return false;
-        }
-
-        /// <summary>Whether a sphere that only one carving has can make a difference to the voxels of a box within a brick.</summary>
-        bool Matters(in Changed sphere, List<Changed> opposite, CutMode cut, int x, int y, int z, in VoxelBox box)
-        {
-            ReadOnlySpan<ushort> segments = contents == null ? default : contents[Bricks.IndexOf(x, y, z)];
-            if (contents != null && !sphere.Mask.HoldsAny(segments))
-                return false;
-            BoxCover cover = reach.Cover(sphere.Place, box);
-            if (cover == BoxCover.None)
-                return false;
-            if (cover == BoxCover.Whole && opposite.Count <= FewSpheres)
-                foreach (Changed other in opposite)
-                    if ((contents == null ? sphere.Mask.Equals(other.Mask) : sphere.Mask.IsWithin(other.Mask, segments))
-                        && reach.Cover(other.Place, box) == BoxCover.Whole)
-                        return false;
-            return index == null || contents == null || !index.IsHiddenByOthers(x, y, z, box, cut, sphere.Mask, segments);
-        }
-
-        /// <summary>A sphere that only one of the carvings has.</summary>
-        readonly struct Changed
-        {
-            public Changed(SegmentMask mask, in SphereReach.Ready place, in SphereReach.Ready surface, in VoxelBox box)
-            {
-                Mask = mask;
-                Place = place;
-                Surface = surface;
-                Box = box;
             }
-
-            public SegmentMask Mask { get; }
-
-            public SphereReach.Ready Place { get; }
-
-            public SphereReach.Ready Surface { get; }
-
-            /// <summary>The voxels whose coverage or normal it can change.</summary>
-            public VoxelBox Box { get; }
         }
     }
 }
