@@ -26,13 +26,13 @@ float3 BlendedNormal(float3 index)
 }
 
 // Linear colour of a surface: base * (ambient + diffuse * (n.l) * light) + specular * (n.h)^shininess * light. Surfaces have two sides: a
-// normal that points away from the viewer is turned. toViewer, toLight: unit vectors, centred mm. No normal: the surface faces
-// the viewer.
+// normal that points away from the viewer is mirrored to point towards him; turned around, it would jump where a surface bends away at its outline. toViewer,
+// toLight: unit vectors, centred mm. No normal: the surface faces the viewer.
 float3 BlinnPhong(float3 base, float3 normal, float3 toViewer, float3 toLight)
 {
     float normalLength = length(normal);
     float3 n = normalLength > 1e-4 ? normal / max(normalLength, 1e-4) : toViewer;
-    n = dot(n, toViewer) < 0.0 ? -n : n;
+    n -= 2.0 * min(dot(n, toViewer), 0.0) * toViewer;
     float3 halfway = toLight + toViewer;
     halfway *= rsqrt(max(dot(halfway, halfway), 1e-12));
     float diffuse = _Shading.y * max(dot(n, toLight), 0.0);

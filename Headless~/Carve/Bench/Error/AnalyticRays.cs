@@ -121,7 +121,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
 
         static double Shade(VectorMm normal, VectorMm toViewer)
         {
-            var facing = normal.Dot(toViewer) < 0 ? -normal : normal;
+            var facing = normal - 2 * Math.Min(normal.Dot(toViewer), 0) * toViewer;
             var halfway = (ToLight + toViewer).Normalized();
             return RayField.Ambient + RayField.Diffuse * Math.Max(facing.Dot(ToLight), 0)
                 + RayField.Specular * Math.Pow(Math.Max(facing.Dot(halfway), 0), RayField.Shininess);

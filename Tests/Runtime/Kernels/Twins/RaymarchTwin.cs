@@ -157,9 +157,8 @@ namespace AnatomyCarve.Tests.Kernels
             undecided = length > 0 && length < 1e-2;
             double[] n = length > 1e-4 ? RayScene.Scale(normal, 1 / length) : toViewer;
             double facing = Dot(n, toViewer);
-            undecided |= Math.Abs(facing) < 1e-4;
             if (facing < 0)
-                n = RayScene.Scale(n, -1);
+                n = new[] { n[0] - 2 * facing * toViewer[0], n[1] - 2 * facing * toViewer[1], n[2] - 2 * facing * toViewer[2] };
             double[] halfway = new double[3];
             for (int axis = 0; axis < 3; axis++)
                 halfway[axis] = scene.Light[axis] + toViewer[axis];

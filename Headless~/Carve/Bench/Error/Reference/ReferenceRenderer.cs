@@ -107,7 +107,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error.Reference
         (Rgba Factor, Rgba Added) Shade(VectorMm normal, VectorMm toViewer, VectorMm toLight)
         {
             var n = normal.Length > 1e-4 ? normal.Normalized() : toViewer;
-            if (n.Dot(toViewer) < 0) n = -n;
+            n -= 2 * Math.Min(n.Dot(toViewer), 0) * toViewer;
             var halfway = (toLight + toViewer).Normalized();
             var diffuse = light.Diffuse * Math.Max(n.Dot(toLight), 0);
             var specular = light.Specular * Math.Pow(Math.Clamp(n.Dot(halfway), 1e-4, 1), light.Shininess);
