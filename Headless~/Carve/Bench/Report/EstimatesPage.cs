@@ -17,13 +17,18 @@ namespace AnatomyCarve.Headless.Cli.Bench.Report
         const double Giga = 1e9;
 
         /// <summary>Bytes that a stage reads and writes per voxel, with its tiles' margins and without caches.</summary>
-        const double ClipBytes = 2 + 1 + 1, AntiAliasBytes = 1.95 + 1, NormalsBytes = 1.95 + 2;
+        const double ClipBytes = 2 + 1 + 1, AntiAliasBytes = 1.95 + 1, NormalsBytes = 5.36 + 2;
 
         /// <summary>Bytes that a sample reads: eight opacities. Most come from caches; as if none did.</summary>
         const double SampleBytes = 8;
 
-        /// <summary>What the surface's samples of a ray read besides: 64 raw opacities, eight normals, a label.</summary>
-        const double SurfaceBytes = 64 + 16 + 1, SurfaceSamplesPerRay = 4;
+        /// <summary>What the shading of a place reads: raw opacities, labels and normals of eight voxels, and a colour. An opaque surface is shaded twice.</summary>
+        const double ShadingBytes = 8 + 8 + 16 + 16, ShadingTexels = 25, ShadingsPerRay = 2;
+
+        /// <summary>What the first visible segment reads: raw opacities and labels of eight voxels.</summary>
+        const double SegmentTexels = 16;
+
+        const double SurfaceBytes = ShadingBytes * ShadingsPerRay + SegmentTexels, SurfaceTexels = ShadingTexels * ShadingsPerRay + SegmentTexels;
 
         /// <param name="Name">the device</param>
         /// <param name="GigabytesPerSecond">to memory</param>
@@ -58,8 +63,8 @@ namespace AnatomyCarve.Headless.Cli.Bench.Report
 
         static string Row(Device device, double volumeBytes, double samplesPerRay)
         {
-            var texels = device.Pixels * (8 * samplesPerRay + SurfaceBytes * SurfaceSamplesPerRay / 2);
-            var bytes = volumeBytes + device.Pixels * (SampleBytes * samplesPerRay + SurfaceBytes * SurfaceSamplesPerRay);
+            var texels = device.Pixels * (8 * samplesPerRay + SurfaceTexels);
+            var bytes = volumeBytes + device.Pixels * (SampleBytes * samplesPerRay + SurfaceBytes);
             double frame = 1000 / device.FramesPerSecond, memory = 1000 * bytes / (device.GigabytesPerSecond * Giga), fill = 1000 * texels / (device.GigatexelsPerSecond * Giga);
             return string.Create(CultureInfo.InvariantCulture,
                 $"| {device.Name} | {frame:0.0} ms ({device.FramesPerSecond:0} Hz, {device.Pixels / 1e6:0.0} Mpixel) | {bytes / Giga:0.00} GB | {memory:0.0} ms | {texels / Giga:0.00} G | {fill:0.0} ms "
