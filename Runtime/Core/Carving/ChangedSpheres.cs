@@ -82,7 +82,7 @@ namespace AnatomyCarve.Carving
         public bool LendsNormals(int number, int x, int y, int z)
         {
             Changed sphere = At(number);
-            if (Contents != null && !sphere.Mask.HoldsAny(Contents[bricks.IndexOf(x, y, z)]))
+            if (Contents != null && !Contents.AnyIsIn(sphere.Mask, bricks.IndexOf(x, y, z)))
                 return false;
             VoxelBox box = bricks.VoxelsOf(x, y, z);
             BoxCover cover = reach.Cover(sphere.Surface, box);

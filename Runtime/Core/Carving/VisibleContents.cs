@@ -32,6 +32,15 @@ namespace AnatomyCarve.Carving
         /// <param name="brick">The brick's number, 0 to Count - 1.</param>
         public ReadOnlySpan<ushort> this[int brick] => new ReadOnlySpan<ushort>(segments, blocks.FirstEntry(brick), counts[brick]);
 
+        /// <summary>Whether a mask holds any segment of a brick, visible or not: voxels of opacity 0 have normals too.</summary>
+        internal bool AnyIsIn(SegmentMask mask, int brick)
+        {
+            foreach (BlockContents.Entry entry in blocks[brick])
+                if (mask[entry.Segment])
+                    return true;
+            return false;
+        }
+
         /// <summary>
         /// Whether the brick or one of those around it has a visible segment: elsewhere anti-aliased opacity and normals are empty too, whatever the carving.
         /// </summary>

@@ -25,6 +25,10 @@ namespace AnatomyCarve.Tests.Components
         [Test, Explicit("10,000 edits take minutes"), Category("Long")]
         public void Textures_AfterEachOfTenThousandEdits_AreThoseOfAFullComputation([Range(101, 150)] int seed, [Values] CutMode cut) => Check(seed, cut, 100);
 
+        /// <summary>In some bricks an edit of this script changes only what spheres do to segments that nothing shows; the normals there follow too.</summary>
+        [Test]
+        public void Textures_AfterEditsOfSegmentsThatNothingShows_AreThoseOfAFullComputation([Values] CutMode cut) => Check(144, cut, 32);
+
         void Check(int seed, CutMode cut, int edits)
         {
             var random = new Random(seed);
