@@ -12,9 +12,11 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
     /// <param name="Ssim">structural similarity of the grey pictures</param>
     /// <param name="SegmentErrorPercent">pixels of another first visible segment, of those where either picture has one</param>
     /// <param name="DepthRmseVoxels">over the pixels where both have a depth, in reference lengths</param>
-    sealed record PictureErrors(double RmseCodes, double PsnrDecibels, double Ssim, double SegmentErrorPercent, double DepthRmseVoxels)
+    /// <param name="Depths">the differences of depth behind it, the largest first</param>
+    sealed record PictureErrors(double RmseCodes, double PsnrDecibels, double Ssim, double SegmentErrorPercent, double DepthRmseVoxels, double[] Depths)
     {
         const double Peak = 255;
+        const int Outliers = 3; // shown one by one: rays at outlines that meet another surface are few and far off
 
         public static PictureErrors Between(PictureData found, ReferencePicture reference, double referenceLengthMm)
         {
@@ -24,7 +26,8 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
             var depth = PictureMetrics.DepthRmse(found.DepthMm, [.. reference.DepthsMm.Select(mm => (float)mm)]);
             return new PictureErrors(
                 rmse, 20 * Math.Log10(Peak / rmse), StructuralSimilarity.Of(Grey(a), Grey(b), reference.Width, Peak),
-                100 * PictureMetrics.FirstSegmentMae(found.Segments, reference.Segments).Mae, depth.RmseMm / referenceLengthMm);
+                100 * PictureMetrics.FirstSegmentMae(found.Segments, reference.Segments).Mae, depth.RmseMm / referenceLengthMm,
+                [.. found.DepthMm.Zip(reference.DepthsMm, (x, y) => Math.Abs(x - y) / referenceLengthMm).Where(double.IsFinite).OrderDescending()]);
         }
 
         public JsonObject ToJson() => new()
@@ -34,6 +37,9 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
             ["ssim"] = Ssim,
             ["segmentErrorPercent"] = SegmentErrorPercent,
             ["depthRmseVoxels"] = DepthRmseVoxels,
+            ["depths"] = Depths.Length,
+            ["largestDepthsVoxels"] = new JsonArray([.. Depths.Take(Outliers).Select(depth => (JsonNode)Json.Number(depth))]),
+            ["depthRmseVoxelsWithoutThem"] = Json.Number(Math.Sqrt(Depths.Skip(Outliers).Select(depth => depth * depth).DefaultIfEmpty().Average())),
         };
 
         static double[] Encoded(Rgba[] colors) =>

@@ -25,7 +25,13 @@ namespace AnatomyCarve.Headless.Cli.Bench.Time
                 new TimedWay("moved", run => SceneRun.MoveActive(stage.Carving, scene, run % 2 == 0 ? 1 : 0), stage.Update, WarmUps: 2),
                 new TimedWay("full", _ => FullUpdate.Force(stage), stage.Update),
                 new TimedWay("reference", run => reference.MoveActive(run % 2 == 0 ? 1 : 0), reference.UpdateVolume));
-            var settings = new JsonObject { ["times"] = Turns.ToJson(timings), ["referenceBytesPerVoxel"] = reference.BytesPerVoxel };
+            var moved = SceneRun.Move(stage, scene);
+            var full = SceneRun.Full(stage);
+            var settings = new JsonObject
+            {
+                ["times"] = Turns.ToJson(timings), ["referenceBytesPerVoxel"] = reference.BytesPerVoxel,
+                ["work"] = new JsonObject { ["moved"] = moved.ToJson(), ["full"] = full.ToJson() },
+            };
             return new Outcome([timings[0].Median / timings[1].Median, timings[0].Median / timings[2].Median], Scene, settings);
         }
     }

@@ -55,6 +55,15 @@ namespace AnatomyCarve.Headless.Cli.Bench.Work
         /// <summary>The same for the scene's own move.</summary>
         public static EditWork Move(BenchStage stage, BenchScene scene) => Edit(stage, scene, carving => MoveActive(carving, scene, 1));
 
+        /// <summary>Counts what computing everything anew takes, of the scene that is shown.</summary>
+        public static EditWork Full(BenchStage stage)
+        {
+            stage.Renderer.Statistics.Reset();
+            FullUpdate.Force(stage);
+            stage.Update();
+            return Work(stage);
+        }
+
         /// <summary>Puts the active sphere so many moves from where it stands in the scene.</summary>
         public static void MoveActive(CarvingStack carving, BenchScene scene, double moves)
         {

@@ -20,6 +20,7 @@ namespace AnatomyCarve.Tests.Kernels
         const double HairVoxels = 1e-4;
         const double HairAlpha = 1e-4;
         const double HairWeight = 1e-6;
+        const int MostShaded = 7; // steps
         const double ShadedWeight = 1.0 / 128, ShadedAlpha = 1 - 1.0 / 512;
 
         readonly RayScene scene;
@@ -77,7 +78,7 @@ namespace AnatomyCarve.Tests.Kernels
                     weight += added;
                     moment += added * 0.5 * (n + end);
                     int pairEnd = (n | pairing) + 1;
-                    pairEnd = weight < ShadedWeight ? Math.Min(pairEnd + 2, (from | pairing) + 7) : pairEnd;
+                    pairEnd = weight < ShadedWeight ? Math.Min(pairEnd + 2, (from | pairing) + MostShaded) : pairEnd;
                     until = ray.Color[3] < ShadedAlpha ? pairEnd : n + 1;
                     ray.ColorUndecided |= Math.Abs(weight - ShadedWeight) < HairWeight || Math.Abs(ray.Color[3] - ShadedAlpha) < HairWeight;
                     ray.ColorUndecided |= Math.Abs(ray.Color[3] - scene.OpaqueAlpha) < HairAlpha;

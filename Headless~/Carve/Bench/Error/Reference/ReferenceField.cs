@@ -114,9 +114,6 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error.Reference
             }
         }
 
-        /// <summary>That of the eight voxels of a cell alone; -1 where these are empty.</summary>
-        public int SegmentOfEight(int i, int j, int k) => MostOpaque(i, j, k, 2);
-
         int MostOpaque(int i, int j, int k, int size)
         {
             double most = 0;
