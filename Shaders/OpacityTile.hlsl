@@ -4,42 +4,59 @@
 #include "Bricks.hlsl"
 #include "VolumeFields.hlsl"
 
-// A brick's opacities with one voxel around, in memory that the group shares, and the 3x3x3 Sobel operator on it. Before the include,
-// TILE_OPACITY is defined as the function that reads a voxel's opacity.
+// A brick's opacities with one voxel around, in memory that the group shares, and the 3x3x3 Sobel operator on them. Opacities are codes here, 0..255, and lie
+// packed, four along z to a word, because each access to shared memory has its price.
 
 #define TILE_SIZE (BRICK_SIZE + 2)
 #define TILE_VOXELS (TILE_SIZE * TILE_SIZE * TILE_SIZE)
+#define TILE_WORDS ((TILE_SIZE + 3) / 4) // of a column along z
 #define PLANE 9
 #define NEIGHBOURHOOD 27 // i fastest; 13 is the voxel itself
 
-// Gradients below this are none, but for rounding: half of the smallest that 8-bit opacities can have, 1 / (255 * 32).
-static const float NO_GRADIENT = 0.5 / (255.0 * 32.0);
+// Gradients below this are none, but for rounding: half of the smallest that opacities of one code can have, 1 / 32.
+static const float NO_GRADIENT = 0.5 / 32.0;
 
-groupshared float OpacityTile[TILE_VOXELS];
+groupshared uint OpacityTile[TILE_SIZE * TILE_SIZE * TILE_WORDS]; // x fastest, then y, then the word along z
 
-// Called by all threads of a group, before a barrier. Voxels outside the volume get outsideFactor times the nearest voxel inside:
-// 1 continues the volume, 0 ends it.
-void FillOpacityTile(int3 brickOrigin, uint threadIndex, float outsideFactor)
+// Called by all threads of a group, before a barrier. Voxels outside the volume get what the nearest inside have.
+void FillOpacityTile(int3 brickOrigin, uint threadIndex)
 {
-    for (uint cell = threadIndex; cell < TILE_VOXELS; cell += GROUP_THREADS)
+    [loop]
+    for (uint column = threadIndex; column < TILE_SIZE * TILE_SIZE; column += GROUP_THREADS)
     {
-        uint3 offset = uint3(cell % TILE_SIZE, (cell / TILE_SIZE) % TILE_SIZE, cell / (TILE_SIZE * TILE_SIZE));
-        int3 voxel = brickOrigin + int3(offset) - 1;
-        float opacity = TILE_OPACITY(ClampToVolume(voxel));
-        OpacityTile[cell] = IsInVolume(voxel) ? opacity : opacity * outsideFactor;
+        int3 first = brickOrigin + int3(column % TILE_SIZE, column / TILE_SIZE, 0) - 1;
+        uint words[TILE_WORDS];
+        uint n;
+        [unroll]
+        for (n = 0u; n < TILE_WORDS; n++)
+            words[n] = 0u;
+        [unroll]
+        for (n = 0u; n < TILE_SIZE; n++)
+            words[n / 4u] |= OpacityCodeOf(ClampToVolume(first + int3(0, 0, n))) << (8u * (n % 4u));
+        [unroll]
+        for (n = 0u; n < TILE_WORDS; n++)
+            OpacityTile[column + TILE_SIZE * TILE_SIZE * n] = words[n];
     }
 }
 
-// The 3x3 opacities around a column of the brick (offset 0..7 per axis) in a plane of the tile (0..9), i fastest.
-void ReadPlane(uint2 offset, uint plane, out float o[PLANE])
+// The words of the 3x3 columns around a column of the brick (offset 0..7 per axis), i fastest: planes 4 * word to 4 * word + 3 of the tile (0..9).
+void ReadWords(uint2 offset, uint word, out uint words[PLANE])
 {
-    uint first = offset.x + TILE_SIZE * (offset.y + TILE_SIZE * plane);
+    uint first = offset.x + TILE_SIZE * (offset.y + TILE_SIZE * word);
     [unroll]
     for (uint n = 0u; n < PLANE; n++)
-        o[n] = OpacityTile[first + n % 3u + TILE_SIZE * (n / 3u)];
+        words[n] = OpacityTile[first + n % 3u + TILE_SIZE * (n / 3u)];
 }
 
-// Three-dimensional Sobel gradient, opacity per voxel: [1 2 1] x [1 2 1] x [-1 0 1] / 32. Differences come first, so equal values on
+// The opacities in one of the four planes of words.
+void Unpack(uint words[PLANE], uint plane, out float o[PLANE])
+{
+    [unroll]
+    for (uint n = 0u; n < PLANE; n++)
+        o[n] = float((words[n] >> (8u * plane)) & 255u);
+}
+
+// Three-dimensional Sobel gradient, codes per voxel: [1 2 1] x [1 2 1] x [-1 0 1] / 32. Differences come first, so equal values on
 // both sides give exactly 0.
 float3 SobelGradient(float o[NEIGHBOURHOOD])
 {

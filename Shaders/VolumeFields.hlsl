@@ -35,6 +35,16 @@ float OpacityOf(int3 voxel)
 #endif
 }
 
+// The same as it is stored, 0..255.
+uint OpacityCodeOf(int3 voxel)
+{
+#ifdef PORTABLE_LAYOUT
+    return (_Opacity.Load(int4(voxel.xy, voxel.z >> 2, 0)) >> (8u * ((uint)voxel.z & 3u))) & 255u;
+#else
+    return (uint)(_Opacity.Load(int4(voxel, 0)) * 255.0 + 0.5);
+#endif
+}
+
 float OpacityAAOf(int3 voxel)
 {
 #ifdef PORTABLE_LAYOUT

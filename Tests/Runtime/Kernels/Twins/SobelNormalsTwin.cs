@@ -7,8 +7,8 @@ namespace AnatomyCarve.Tests.Kernels
     {
         const int Reach = 3;
 
-        /// <summary>The taps as the kernel's header gives them: x * exp(-x^2 / (2 * 2^2)) and exp(-x^2 / (2 * 1.6^2)), to four digits.</summary>
-        static readonly double[] Derivative = { 0, 0.8825, 1.2131, 0.9740 }, Smoothing = { 1, 0.8226, 0.4578, 0.1724 };
+        /// <summary>The taps as the kernel's header gives them: x * exp(-x^2 / (2 * 2^2)) and exp(-x^2 / (2 * 1.6^2)), in whole numbers.</summary>
+        static readonly double[] Derivative = { 0, 29, 40, 32 }, Smoothing = { 63, 52, 29, 11 };
 
         /// <summary>The 7x7x7 Sobel gradient in opacity per voxel; opacity outside the volume is 0.</summary>
         public static double[] Gradient(KernelGrid grid, Func<int, double> opacity, int i, int j, int k)

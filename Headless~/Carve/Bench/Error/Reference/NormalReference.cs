@@ -16,9 +16,9 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error.Reference
         /// <summary>The cosine of the angle between gradient and sphere within which a cut has the sphere's normal.</summary>
         const double Agreement = 0.9;
 
-        static readonly double[] Smoothing = [1, 0.8226, 0.4578, 0.1724], Derivative = [0, 0.8825, 1.2131, 0.9740];
+        static readonly double[] Smoothing = [63, 52, 29, 11], Derivative = [0, 29, 40, 32];
 
-        static readonly double Sum = 2 * (Derivative[1] + 2 * Derivative[2] + 3 * Derivative[3]) * Math.Pow(1 + 2 * (Smoothing[1] + Smoothing[2] + Smoothing[3]), 2);
+        static readonly double Sum = 2 * (Derivative[1] + 2 * Derivative[2] + 3 * Derivative[3]) * Math.Pow(Smoothing[0] + 2 * (Smoothing[1] + Smoothing[2] + Smoothing[3]), 2);
 
         /// <summary>A unit vector out of matter, LPS; (0, 0, 0) where the field is flat. Outside the volume opacity counts as 0.</summary>
         public static VectorMm At(ReferenceField field, int i, int j, int k)
