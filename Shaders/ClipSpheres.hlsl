@@ -42,9 +42,8 @@ float DepthInVoxels(float4 centreRadius, float3 p)
 {
     float3 d = p - centreRadius.xyz;
     float distance = length(d);
-    float3 n = d / max(distance, 1e-30);
-    float extent = abs(dot(n, VoxelStepI())) + abs(dot(n, VoxelStepJ())) + abs(dot(n, VoxelStepK()));
-    return (centreRadius.w - distance) / (distance > 0.0 ? extent : _CentreIndex.w);
+    float extent = abs(dot(d, VoxelStepI())) + abs(dot(d, VoxelStepJ())) + abs(dot(d, VoxelStepK())); // of a voxel along d, times d's length
+    return distance > 0.0 ? (centreRadius.w - distance) * (distance / max(extent, 1e-30)) : centreRadius.w / _CentreIndex.w;
 }
 
 // Within so many extents of a voxel from a sphere's surface the cut's normal may be the sphere's: as far as the voxels between which a visible point of
@@ -59,10 +58,15 @@ float SmoothCoverage(float4 centreRadius, float3 p)
     return centreRadius.w > 0.0 ? coverage : 0.0;
 }
 
-// Mask(s, label): whether the sphere clips the segment.
-bool MaskHolds(uint firstWord, uint segment)
+// Mask(s, label): whether the sphere clips the segment. mask: SphereRow's.
+bool MaskHolds(uint4 mask, uint segment)
 {
-    return ((_MaskWords[firstWord + (segment >> 5)] >> (segment & 31u)) & 1u) != 0u;
+    uint word = segment >> 5;
+    uint bits = word == 0u ? mask.y : word == 1u ? mask.z : mask.w;
+    [branch]
+    if (word > 2u)
+        bits = _MaskWords[mask.x + word];
+    return ((bits >> (segment & 31u)) & 1u) != 0u;
 }
 
 #endif

@@ -16,7 +16,7 @@
 struct SphereRow
 {
     float4 centreRadius; // xyz: centre in centred mm; w: radius in mm (0: clips nothing)
-    uint4 mask;          // x: index of the mask's first word in _MaskWords; bit s of the mask = this sphere clips segment s
+    uint4 mask;          // x: index of the mask's first word in _MaskWords; bit s of the mask = this sphere clips segment s; yzw: its first three words
 };
 
 // Whole numbers too are floats here: a material, unlike a compute shader, has no rows of integers. They stay below 2^24, so they are exact.

@@ -85,8 +85,12 @@ namespace AnatomyCarve
         {
             SphereF place = index.PlaceOf(slot);
             rows[slot].CentreRadius = new Vector4(place.X, place.Y, place.Z, place.Radius);
-            rows[slot].MaskOffset = (uint)(slot * wordsPerMask);
-            index.MaskOf(slot).CopyWordsTo(words, slot * wordsPerMask);
+            int first = slot * wordsPerMask;
+            index.MaskOf(slot).CopyWordsTo(words, first);
+            rows[slot].MaskOffset = (uint)first;
+            rows[slot].MaskWord0 = words[first];
+            rows[slot].MaskWord1 = wordsPerMask > 1 ? words[first + 1] : 0;
+            rows[slot].MaskWord2 = wordsPerMask > 2 ? words[first + 2] : 0;
         }
 
         static int WordsFor(int segmentCount) => (segmentCount + 31) / 32;
@@ -116,9 +120,9 @@ namespace AnatomyCarve
         {
             public Vector4 CentreRadius;
             public uint MaskOffset;
-            public uint Unused1;
-            public uint Unused2;
-            public uint Unused3;
+            public uint MaskWord0;
+            public uint MaskWord1;
+            public uint MaskWord2;
         }
     }
 }

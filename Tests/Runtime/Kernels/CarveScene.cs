@@ -118,6 +118,9 @@ namespace AnatomyCarve.Tests.Kernels
                 rows[n].MaskOffset = (uint)(n * words);
                 for (int s = 0; s < SegmentCount; s++)
                     masks[n * words + s / 32] |= sphere.Clips[s] ? 1u << (s % 32) : 0u;
+                rows[n].MaskWord0 = masks[n * words];
+                rows[n].MaskWord1 = words > 1 ? masks[n * words + 1] : 0;
+                rows[n].MaskWord2 = words > 2 ? masks[n * words + 2] : 0;
             }
             int tableRows = (SegmentCount + 1023) / 1024;
             var colors = new Vector4[1024 * tableRows];
@@ -143,12 +146,10 @@ namespace AnatomyCarve.Tests.Kernels
                 values[n] = value();
         }
 
-#pragma warning disable CS0649 // the fields that stay 0 keep the row's size
         struct SphereRow
         {
             public Vector4 CenterRadius;
-            public uint MaskOffset, Unused1, Unused2, Unused3;
+            public uint MaskOffset, MaskWord0, MaskWord1, MaskWord2;
         }
-#pragma warning restore CS0649
     }
 }

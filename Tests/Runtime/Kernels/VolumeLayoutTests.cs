@@ -56,6 +56,8 @@ namespace AnatomyCarve.Tests.Kernels
             Assert.That(Marshal.SizeOf(row), Is.EqualTo(16 * members.Count));
             Assert.That((int)Marshal.OffsetOf(row, "CentreRadius"), Is.EqualTo(0));
             Assert.That((int)Marshal.OffsetOf(row, "MaskOffset"), Is.EqualTo(16), "mask.x");
+            Assert.That((int)Marshal.OffsetOf(row, "MaskWord0"), Is.EqualTo(20), "mask.y");
+            Assert.That((int)Marshal.OffsetOf(row, "MaskWord2"), Is.EqualTo(28), "mask.w");
         }
 
         [TestCase("VolumeLayout.hlsl", "CarvedVolume")]
