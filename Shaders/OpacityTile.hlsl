@@ -18,24 +18,28 @@ static const float NO_GRADIENT = 0.5 / 32.0;
 
 groupshared uint OpacityTile[TILE_SIZE * TILE_SIZE * TILE_WORDS]; // x fastest, then y, then the word along z
 
-// Called by all threads of a group, before a barrier. Voxels outside the volume get what the nearest inside have.
-void FillOpacityTile(int3 brickOrigin, uint threadIndex)
+// Called by all threads of a group, before a barrier: what the part of the brick between first and end needs. Voxels outside the volume get what the nearest
+// inside have.
+void FillOpacityTile(int3 brickOrigin, uint3 first, uint3 end, uint threadIndex)
 {
+    uint rows = end.y - first.y + 2u, lastWord = end.z / 4u;
     [loop]
-    for (uint column = threadIndex; column < TILE_SIZE * TILE_SIZE; column += GROUP_THREADS)
+    for (uint item = threadIndex; item < TILE_SIZE * rows; item += GROUP_THREADS)
     {
-        int3 first = brickOrigin + int3(column % TILE_SIZE, column / TILE_SIZE, 0) - 1;
-        uint words[TILE_WORDS];
-        uint n;
-        [unroll]
-        for (n = 0u; n < TILE_WORDS; n++)
-            words[n] = 0u;
-        [unroll]
-        for (n = 0u; n < TILE_SIZE; n++)
-            words[n / 4u] |= OpacityCodeOf(ClampToVolume(first + int3(0, 0, n))) << (8u * (n % 4u));
-        [unroll]
-        for (n = 0u; n < TILE_WORDS; n++)
-            OpacityTile[column + TILE_SIZE * TILE_SIZE * n] = words[n];
+        uint column = item + TILE_SIZE * first.y;
+        int3 voxel = brickOrigin + int3(column % TILE_SIZE, column / TILE_SIZE, 0) - 1;
+        uint word, n;
+        [loop]
+        for (word = first.z / 4u; word < lastWord; word++)
+        {
+            uint bits = 0u;
+            [unroll]
+            for (n = 0u; n < 4u; n++)
+                bits |= OpacityCodeOf(ClampToVolume(voxel + int3(0, 0, 4u * word + n))) << (8u * n);
+            OpacityTile[column + TILE_SIZE * TILE_SIZE * word] = bits;
+        }
+        uint rest = OpacityCodeOf(ClampToVolume(voxel + int3(0, 0, 4u * lastWord))) | OpacityCodeOf(ClampToVolume(voxel + int3(0, 0, 4u * lastWord + 1u))) << 8u;
+        OpacityTile[column + TILE_SIZE * TILE_SIZE * lastWord] = rest;
     }
 }
 

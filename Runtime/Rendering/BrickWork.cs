@@ -18,7 +18,7 @@ namespace AnatomyCarve
         const int FirstSlots = 64;
 
         readonly BrickGrid grid;
-        readonly uint[] packed;
+        readonly uint[] packed; // pairs: brick, part
         readonly uint[] ranges; // pairs: first, count
         readonly List<int> spheres = new List<int>();
         int[] slots = new int[FirstSlots];
@@ -27,14 +27,14 @@ namespace AnatomyCarve
         {
             this.grid = grid;
             int capacity = Math.Min(grid.Count, BricksPerBatch);
-            packed = new uint[capacity];
+            packed = new uint[2 * capacity];
             ranges = new uint[2 * capacity];
         }
 
         /// <summary>The bytes of all lists while bricks have no more spheres than there is room for at first.</summary>
-        public static long FirstBytesOf(long bricks) => 3 * sizeof(uint) * Math.Min(bricks, BricksPerBatch) + sizeof(int) * FirstSlots;
+        public static long FirstBytesOf(long bricks) => 4 * sizeof(uint) * Math.Min(bricks, BricksPerBatch) + sizeof(int) * FirstSlots;
 
-        /// <summary>Packed bricks.</summary>
+        /// <summary>Packed bricks, each with the part that is to be worked on.</summary>
         public GraphicsBuffer Bricks { get; private set; }
 
         /// <summary>For each brick which part of <see cref="Slots"/> is its own.</summary>
@@ -45,14 +45,14 @@ namespace AnatomyCarve
         /// <summary>The number of bricks in the batch.</summary>
         public int Count { get; private set; }
 
-        /// <summary>The voxels of these bricks that lie in the volume.</summary>
+        /// <summary>The voxels of these bricks that are worked on.</summary>
         public long Voxels { get; private set; }
 
         /// <summary>The spheres of these bricks; a caller adds a brick's, then the brick.</summary>
         public List<int> Spheres => spheres;
 
         /// <summary>Whether the batch should go: the next brick may have some thousand spheres, and the list is not to outgrow its memory.</summary>
-        public bool IsFull => Count == packed.Length || spheres.Count >= SpheresPerBatch * 3 / 4;
+        public bool IsFull => 2 * Count == packed.Length || spheres.Count >= SpheresPerBatch * 3 / 4;
 
         /// <summary>Whether the lists would be there for a dispatch; a lost device takes them away.</summary>
         public bool IsValid => IsThere(Bricks) && IsThere(Ranges) && IsThere(Slots);
@@ -67,15 +67,15 @@ namespace AnatomyCarve
         }
 
         /// <summary>Adds a brick, whose spheres are those that were added since the brick before.</summary>
-        public void Add(int brick)
+        public void Add(int brick, BrickPart part)
         {
             grid.BrickAt(brick, out int x, out int y, out int z);
-            packed[Count] = BrickGrid.Pack(x, y, z);
+            packed[2 * Count] = BrickGrid.Pack(x, y, z);
+            packed[2 * Count + 1] = part.Packed;
             uint first = Count == 0 ? 0 : ranges[2 * Count - 2] + ranges[2 * Count - 1];
             ranges[2 * Count] = first;
             ranges[2 * Count + 1] = (uint)spheres.Count - first;
-            VoxelBox box = grid.VoxelsOf(x, y, z);
-            Voxels += (box.MaxI - box.MinI + 1L) * (box.MaxJ - box.MinJ + 1L) * (box.MaxK - box.MinK + 1L);
+            Voxels += part.VoxelsIn(grid.VoxelsOf(x, y, z));
             Count++;
         }
 
@@ -83,7 +83,7 @@ namespace AnatomyCarve
         public void Upload(bool withSpheres)
         {
             Reserve();
-            Bricks.SetData(packed, 0, 0, Count);
+            Bricks.SetData(packed, 0, 0, 2 * Count);
             if (!withSpheres)
                 return;
             Ranges.SetData(ranges, 0, 0, 2 * Count);
@@ -100,9 +100,9 @@ namespace AnatomyCarve
         public void Reserve()
         {
             if (!IsThere(Bricks))
-                Bricks = GpuObjects.CreateBuffer("AnatomyCarve bricks", packed.Length, sizeof(uint));
+                Bricks = GpuObjects.CreateBuffer("AnatomyCarve bricks", packed.Length / 2, 2 * sizeof(uint));
             if (!IsThere(Ranges))
-                Ranges = GpuObjects.CreateBuffer("AnatomyCarve spheres of bricks", packed.Length, 2 * sizeof(uint));
+                Ranges = GpuObjects.CreateBuffer("AnatomyCarve spheres of bricks", packed.Length / 2, 2 * sizeof(uint));
             int capacity = FirstSlots;
             while (capacity < spheres.Count)
                 capacity *= 2;

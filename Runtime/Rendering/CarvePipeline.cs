@@ -93,9 +93,9 @@ namespace AnatomyCarve
             if (shown)
                 Show(segments);
             if (all)
-                kernels.ClipVoxels(live.Visible, contents, cut);
+                kernels.ClipVoxels(live.Visible, null, contents, cut);
             else if (carved)
-                kernels.ClipVoxels(Dirty(wanted, cut, 0), contents, cut);
+                kernels.ClipVoxels(Dirty(wanted, cut, 0), dirty.Parts, contents, cut);
             bool changed = smoothing || recolored;
             if (smoothing)
                 SmoothAll();
@@ -188,8 +188,8 @@ namespace AnatomyCarve
 
         void SmoothAll()
         {
-            kernels.AntiAlias(live.NearMatter);
-            kernels.SobelNormals(live.NearMatter, contents);
+            kernels.AntiAlias(live.NearMatter, null);
+            kernels.SobelNormals(live.NearMatter, null, contents);
             skip.Update(null, constants, ref statistics.skipCells);
         }
 
@@ -200,11 +200,11 @@ namespace AnatomyCarve
             bool changed = list.Count > 0;
             if (changed)
             {
-                kernels.AntiAlias(list);
+                kernels.AntiAlias(list, dirty.Parts);
                 skip.Update(list, constants, ref statistics.skipCells);
             }
             dirty.ComputeNormals(usedSpheres, wanted, cut);
-            kernels.SobelNormals(dirty.Indices, contents);
+            kernels.SobelNormals(dirty.Indices, dirty.Parts, contents);
             return changed || dirty.Count > 0;
         }
 

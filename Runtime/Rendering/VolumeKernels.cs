@@ -55,7 +55,9 @@ namespace AnatomyCarve
 
         public void Dispose() => work.Dispose();
 
-        public void ClipVoxels(IReadOnlyList<int> list, VisibleContents contents, CutMode cut)
+        /// <param name="list">The bricks.</param>
+        /// <param name="parts">What of each is worked on; null = all. Likewise below.</param>
+        public void ClipVoxels(IReadOnlyList<int> list, IReadOnlyList<BrickPart> parts, VisibleContents contents, CutMode cut)
         {
             using (ClipMarker.Auto())
             {
@@ -70,13 +72,13 @@ namespace AnatomyCarve
                 {
                     bricks.BrickAt(list[n], out int x, out int y, out int z);
                     index.Gather(x, y, z, cut, contents[list[n]], work.Spheres);
-                    Add(list[n], clipVoxels, ref statistics.clipVoxels);
+                    Add(list[n], PartAt(parts, n), clipVoxels, ref statistics.clipVoxels);
                 }
                 Flush(clipVoxels, ref statistics.clipVoxels);
             }
         }
 
-        public void AntiAlias(IReadOnlyList<int> list)
+        public void AntiAlias(IReadOnlyList<int> list, IReadOnlyList<BrickPart> parts)
         {
             using (AntiAliasMarker.Auto())
             {
@@ -86,12 +88,12 @@ namespace AnatomyCarve
                 antiAlias.Count(statistics.WorkCounts);
                 Begin(false);
                 for (int n = 0; n < list.Count; n++)
-                    Add(list[n], antiAlias, ref statistics.antiAlias);
+                    Add(list[n], PartAt(parts, n), antiAlias, ref statistics.antiAlias);
                 Flush(antiAlias, ref statistics.antiAlias);
             }
         }
 
-        public void SobelNormals(IReadOnlyList<int> list, VisibleContents contents)
+        public void SobelNormals(IReadOnlyList<int> list, IReadOnlyList<BrickPart> parts, VisibleContents contents)
         {
             using (NormalsMarker.Auto())
             {
@@ -104,7 +106,7 @@ namespace AnatomyCarve
                 {
                     bricks.BrickAt(list[n], out int x, out int y, out int z);
                     index.GatherSurfaces(x, y, z, contents[list[n]], work.Spheres);
-                    Add(list[n], sobelNormals, ref statistics.sobelNormals);
+                    Add(list[n], PartAt(parts, n), sobelNormals, ref statistics.sobelNormals);
                 }
                 Flush(sobelNormals, ref statistics.sobelNormals);
             }
@@ -120,7 +122,7 @@ namespace AnatomyCarve
                 clearBricks.SetBuffer(ShaderIds.BrickMatter, Skip.BrickMatter);
                 Begin(false);
                 for (int n = 0; n < list.Count; n++)
-                    Add(list[n], clearBricks, ref statistics.clearBricks);
+                    Add(list[n], BrickPart.Whole, clearBricks, ref statistics.clearBricks);
                 Flush(clearBricks, ref statistics.clearBricks);
             }
         }
@@ -137,9 +139,11 @@ namespace AnatomyCarve
             hasSpheres = withSpheres;
         }
 
-        void Add(int brick, in ComputeKernel kernel, ref StageStatistics stage)
+        static BrickPart PartAt(IReadOnlyList<BrickPart> parts, int number) => parts == null ? BrickPart.Whole : parts[number];
+
+        void Add(int brick, BrickPart part, in ComputeKernel kernel, ref StageStatistics stage)
         {
-            work.Add(brick);
+            work.Add(brick, part);
             if (work.IsFull)
                 Flush(kernel, ref stage);
         }

@@ -19,6 +19,8 @@ namespace AnatomyCarve.Carving
 
         readonly ChangedSpheres changed;
         readonly BrickSet touched, dirty; // touched: without a halo
+        readonly DirtyParts dirtyParts;
+        readonly List<BrickPart> parts = new List<BrickPart>();
         IReadOnlyList<ClipSphere> lastBefore, lastAfter;
         CutMode lastCut;
 
@@ -32,6 +34,7 @@ namespace AnatomyCarve.Carving
             changed = new ChangedSpheres(bricks, grid ?? throw new ArgumentNullException(nameof(grid)));
             touched = new BrickSet(bricks.Count);
             dirty = new BrickSet(bricks.Count);
+            dirtyParts = new DirtyParts(bricks, changed, touched);
         }
 
         /// <summary>The volume's bricks.</summary>
@@ -39,6 +42,9 @@ namespace AnatomyCarve.Carving
 
         /// <summary>The numbers of the dirty bricks, ascending; another list after the next <see cref="Compute"/>.</summary>
         public IReadOnlyList<int> Indices => dirty.Indices;
+
+        /// <summary>What of each of these bricks is dirty, in the same order; another list after the next <see cref="Compute"/>.</summary>
+        public IReadOnlyList<BrickPart> Parts => parts;
 
         /// <summary>The number of dirty bricks.</summary>
         public int Count => dirty.Indices.Count;
@@ -108,6 +114,12 @@ namespace AnatomyCarve.Carving
         {
             if (haloVoxels < 0 || haloVoxels > Size)
                 throw new ArgumentOutOfRangeException(nameof(haloVoxels), haloVoxels, FormattableString.Invariant($"A halo is 0 to {Size} voxels."));
+            Take(before, after, cut, haloVoxels);
+            TakeParts(haloVoxels, false);
+        }
+
+        void Take(IReadOnlyList<ClipSphere> before, IReadOnlyList<ClipSphere> after, CutMode cut, int haloVoxels)
+        {
             bool isSame = before is CarvingSnapshot && after is CarvingSnapshot
                 && ReferenceEquals(before, lastBefore) && ReferenceEquals(after, lastAfter) && cut == lastCut;
             if (!isSame)
@@ -121,7 +133,6 @@ namespace AnatomyCarve.Carving
             dirty.CopyFrom(touched);
             if (haloVoxels > 0)
                 Widen(haloVoxels);
-            dirty.Sort();
         }
 
         /// <summary>
@@ -131,9 +142,9 @@ namespace AnatomyCarve.Carving
         /// <inheritdoc cref="Compute"/>
         public void ComputeNormals(IReadOnlyList<ClipSphere> before, IReadOnlyList<ClipSphere> after, CutMode cut)
         {
-            Compute(before, after, cut, CarvingReach.NormalsVoxels);
+            Take(before, after, cut, CarvingReach.NormalsVoxels);
             AddSurfaces();
-            dirty.Sort();
+            TakeParts(CarvingReach.NormalsVoxels, true);
         }
 
         /// <summary>Writes the dirty bricks as the kernels take them, in the order of their numbers: <see cref="BrickGrid.Pack"/>.</summary>
@@ -151,6 +162,17 @@ namespace AnatomyCarve.Carving
                 Bricks.BrickAt(dirty.Indices[n], out int x, out int y, out int z);
                 destination[n] = BrickGrid.Pack(x, y, z);
             }
+        }
+
+        /// <summary>Finds what of the bricks is dirty, and drops those of which nothing is.</summary>
+        void TakeParts(int haloVoxels, bool withSurfaces)
+        {
+            dirty.Sort();
+            parts.Clear();
+            for (int n = 0; n < dirty.Indices.Count; n++)
+                parts.Add(dirtyParts.Of(dirty.Indices[n], haloVoxels, withSurfaces));
+            dirty.Keep(number => !parts[number].IsNone);
+            parts.RemoveAll(part => part.IsNone);
         }
 
         void Touch()

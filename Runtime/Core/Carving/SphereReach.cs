@@ -27,7 +27,7 @@ namespace AnatomyCarve.Carving
         readonly CentredGrid grid;
         readonly double[,] toIndex = new double[3, 3];
         readonly double stepI, stepJ, stepK;
-        readonly double halfVoxelMm, halfDiagonalMm;
+        readonly double halfVoxelMm, halfDiagonalMm, unevenMm2;
         readonly bool rightAngled;
 
         public SphereReach(CentredGrid grid)
@@ -45,28 +45,38 @@ namespace AnatomyCarve.Carving
             rightAngled = Math.Abs(Dot(0, 1)) <= RightAngle * stepI * stepJ && Math.Abs(Dot(0, 2)) <= RightAngle * stepI * stepK
                 && Math.Abs(Dot(1, 2)) <= RightAngle * stepJ * stepK;
             // Half of a voxel's largest extent along any direction n, |n.a| + |n.b| + |n.c|: with right angles it is that along the diagonal.
+            double shortest = Math.Min(stepI, Math.Min(stepJ, stepK));
+            unevenMm2 = 0.25 * (stepI * stepI + stepJ * stepJ + stepK * stepK - shortest * shortest);
             halfVoxelMm = 0.5 * (rightAngled ? Math.Sqrt(stepI * stepI + stepJ * stepJ + stepK * stepK) : stepI + stepJ + stepK);
         }
 
         /// <summary>A sphere's coverage of voxels, made ready for many boxes.</summary>
-        public Ready Of(in SphereF sphere, CutMode cut) => Of(sphere, cut == CutMode.Smooth ? halfVoxelMm : 0);
+        public Ready Of(in SphereF sphere, CutMode cut) => Of(sphere, cut == CutMode.Smooth ? 0.5 : 0);
 
         /// <summary>The voxels whose coverage or normal a sphere can change; false for none.</summary>
         public bool TrySurfaceBox(in SphereF sphere, out VoxelBox box) =>
             CarvingReach.TryVoxelBox(grid, sphere, SurfaceBandMm + CarvingReach.RelativeSlack * Lengths(sphere), 0, out box);
 
         /// <summary>A sphere's surface, with the voxels near it that may take its normal: a part = such voxels, whole = deep inside.</summary>
-        public Ready SurfaceOf(in SphereF sphere) => Of(sphere, SurfaceBandMm);
+        public Ready SurfaceOf(in SphereF sphere) => Of(sphere, CarvingReach.SurfaceExtents);
 
-        Ready Of(in SphereF sphere, double bandMm)
+        /// <summary>
+        /// A sphere that is felt within some extents of a voxel from its surface, along the surface's normal n. Extents along n are 2 n.h, where h is the half
+        /// diagonal of a box as large as the voxel whose corner points to the sphere's centre. With c = 2 * extents, felt at distance |d| means |d| - c n.h no more
+        /// than the radius; and the square of c h's corner's distance, |d - c h|^2, is (|d| - c n.h)^2 + c^2 (h^2 - (n.h)^2), of which the last is at most
+        /// c^2 times what the box has more than its shortest half. So the sphere, a little larger, meets the voxel's box, widened to these extents. Likewise
+        /// it holds wholly what it holds up to the farthest corner of that box.
+        /// </summary>
+        Ready Of(in SphereF sphere, double extents)
         {
-            double band = bandMm + CarvingReach.RelativeSlack * Lengths(sphere);
-            double outer = sphere.Radius + band, inner = sphere.Radius - band;
+            double slack = CarvingReach.RelativeSlack * Lengths(sphere), widened = rightAngled ? extents : 0;
+            double uneven = 4 * widened * widened * unevenMm2, band = slack + (rightAngled ? 0 : 2 * extents * halfVoxelMm);
+            double outer = Math.Sqrt(sphere.Radius * (double)sphere.Radius + uneven) + band, inner = sphere.Radius - band;
             return new Ready(
                 grid.CentreI + toIndex[0, 0] * sphere.X + toIndex[0, 1] * sphere.Y + toIndex[0, 2] * sphere.Z,
                 grid.CentreJ + toIndex[1, 0] * sphere.X + toIndex[1, 1] * sphere.Y + toIndex[1, 2] * sphere.Z,
                 grid.CentreK + toIndex[2, 0] * sphere.X + toIndex[2, 1] * sphere.Y + toIndex[2, 2] * sphere.Z,
-                sphere.Radius > 0 ? outer * outer : -1, inner > 0 ? inner * inner : -1);
+                sphere.Radius > 0 ? outer * outer : -1, inner > 0 ? inner * inner : -1, widened);
         }
 
         double SurfaceBandMm => 2 * CarvingReach.SurfaceExtents * halfVoxelMm;
@@ -79,9 +89,9 @@ namespace AnatomyCarve.Carving
             double nearest, farthest;
             if (rightAngled)
             {
-                Along(sphere.I, box.MinI, box.MaxI, stepI, out double ni, out double fi);
-                Along(sphere.J, box.MinJ, box.MaxJ, stepJ, out double nj, out double fj);
-                Along(sphere.K, box.MinK, box.MaxK, stepK, out double nk, out double fk);
+                Along(sphere.I, box.MinI, box.MaxI, stepI, sphere.Widened, out double ni, out double fi);
+                Along(sphere.J, box.MinJ, box.MaxJ, stepJ, sphere.Widened, out double nj, out double fj);
+                Along(sphere.K, box.MinK, box.MaxK, stepK, sphere.Widened, out double nk, out double fk);
                 nearest = ni + nj + nk;
                 farthest = fi + fj + fk;
             }
@@ -99,9 +109,36 @@ namespace AnatomyCarve.Carving
             return farthest < sphere.InnerSquared ? BoxCover.Whole : BoxCover.Part; // NaN, of spheres beyond all measure, is a part
         }
 
-        static void Along(double centre, int min, int max, double stepMm, out double nearestSquared, out double farthestSquared)
+        /// <summary>
+        /// Where along k a sphere may touch voxels of a rectangle of columns, and where it surely covers all of them. On sheared grids everywhere and nowhere.
+        /// </summary>
+        public void Along(in Ready sphere, in VoxelBox columns, out KRange touched, out KRange covered)
         {
-            double toMin = (min - centre) * stepMm, toMax = (max - centre) * stepMm;
+            covered = KRange.Nowhere;
+            touched = KRange.Everywhere;
+            if (!rightAngled)
+                return;
+            Along(sphere.I, columns.MinI, columns.MaxI, stepI, sphere.Widened, out double nearI, out double farI);
+            Along(sphere.J, columns.MinJ, columns.MaxJ, stepJ, sphere.Widened, out double nearJ, out double farJ);
+            double left = sphere.OuterSquared - nearI - nearJ, deep = sphere.InnerSquared - farI - farJ;
+            if (left < 0)
+            {
+                touched = KRange.Nowhere;
+                return;
+            }
+            double length = Math.Sqrt(left) / stepK + sphere.Widened;
+            touched = new KRange(Place(Math.Ceiling(sphere.K - length), int.MinValue), Place(Math.Floor(sphere.K + length), int.MaxValue));
+            if (!(deep > 0))
+                return;
+            length = Math.Sqrt(deep) / stepK - sphere.Widened;
+            covered = new KRange(Place(Math.Floor(sphere.K - length) + 1, 0), Place(Math.Ceiling(sphere.K + length) - 1, -1));
+        }
+
+        static int Place(double k, int notANumber) => double.IsNaN(k) ? notANumber : (int)Math.Max(-1e9, Math.Min(1e9, k));
+
+        static void Along(double centre, int min, int max, double stepMm, double widened, out double nearestSquared, out double farthestSquared)
+        {
+            double toMin = (min - widened - centre) * stepMm, toMax = (max + widened - centre) * stepMm;
             double nearest = toMin > 0 ? toMin : toMax < 0 ? toMax : 0;
             nearestSquared = nearest * nearest;
             farthestSquared = Math.Max(toMin * toMin, toMax * toMax);
@@ -123,13 +160,14 @@ namespace AnatomyCarve.Carving
         /// <summary>A sphere's centre in voxel indices, and the squares of the distances within which it may touch and surely covers, in mm.</summary>
         public readonly struct Ready
         {
-            public Ready(double i, double j, double k, double outerSquared, double innerSquared)
+            public Ready(double i, double j, double k, double outerSquared, double innerSquared, double widened)
             {
                 I = i;
                 J = j;
                 K = k;
                 OuterSquared = outerSquared;
                 InnerSquared = innerSquared;
+                Widened = widened;
             }
 
             public double I { get; }
@@ -141,6 +179,9 @@ namespace AnatomyCarve.Carving
             public double OuterSquared { get; }
 
             public double InnerSquared { get; }
+
+            /// <summary>Voxels by which boxes are larger, for these distances, than their voxels' centres say.</summary>
+            public double Widened { get; }
         }
     }
 }

@@ -16,7 +16,7 @@ namespace AnatomyCarve.Tests.Carving
         public void Compute_RandomCarvings_HoldsEveryVoxelThatChanges()
         {
             var scenes = new RandomScenes(51);
-            int changed = 0, clean = 0;
+            int changed = 0, clean = 0, cleanBricks = 0;
             for (int scene = 0; scene < 150; scene++)
             {
                 SegmentedVolume volume = scenes.Volume(26, SegmentCount);
@@ -27,22 +27,36 @@ namespace AnatomyCarve.Tests.Carving
                 CarvedField now = Phantoms.Field(volume, cut, AntiAliasSettings.Default, after.ToArray());
                 DirtyBrickSet opacity = Between(before, after, volume.Geometry, cut, 0);
                 DirtyBrickSet antiAliased = Between(before, after, volume.Geometry, cut, CarvingReach.AntiAliasVoxels);
+                DirtyBrickSet normals = Set(volume.Geometry);
+                normals.ComputeNormals(before, after, cut);
+                Func<int, int, int, bool> holdsOpacity = VoxelsOf(opacity), holdsAntiAliased = VoxelsOf(antiAliased), holdsNormal = VoxelsOf(normals);
                 Phantoms.Map(volume.Geometry, (i, j, k) =>
                 {
-                    int brick = now.Bricks.IndexOfVoxel(i, j, k);
                     if (now.OpacityCode(i, j, k) != old.OpacityCode(i, j, k))
                     {
                         changed++;
-                        Assert.That(opacity[brick], $"scene {scene}, voxel {i} {j} {k}");
+                        Assert.That(holdsOpacity(i, j, k), $"scene {scene}, voxel {i} {j} {k}");
                     }
                     if (now.AntiAliasedCode(i, j, k) != old.AntiAliasedCode(i, j, k))
-                        Assert.That(antiAliased[brick], $"anti-aliased, scene {scene}, voxel {i} {j} {k}");
+                    {
+                        Assert.That(holdsAntiAliased(i, j, k), $"anti-aliased, scene {scene}, voxel {i} {j} {k}");
+                        for (int near = 0; near < 27; near++) // the corners, edges and faces of what SobelNormals reads
+                        {
+                            int ni = i + Offset(near % 3), nj = j + Offset(near / 3 % 3), nk = k + Offset(near / 9);
+                            Assert.That(!IsIn(volume.Geometry, ni, nj, nk) || holdsNormal(ni, nj, nk), $"normal, scene {scene}, voxel {ni} {nj} {nk}");
+                        }
+                    }
+                    clean += holdsOpacity(i, j, k) ? 0 : 1;
                     return 0;
                 });
-                clean += now.Bricks.Count - opacity.Count;
+                cleanBricks += now.Bricks.Count - opacity.Count;
             }
             Assert.That(changed, Is.GreaterThan(10000));
-            Assert.That(clean, Is.GreaterThan(150));
+            Assert.That(cleanBricks, Is.GreaterThan(150));
+            TestContext.WriteLine($"{changed} voxels changed, {clean} were known not to");
+            int Offset(int step) => (step - 1) * CarvingReach.SobelVoxels;
+            bool IsIn(VolumeGeometry geometry, int i, int j, int k) =>
+                i >= 0 && j >= 0 && k >= 0 && i < geometry.SizeI && j < geometry.SizeJ && k < geometry.SizeK;
         }
 
         [Test]
@@ -166,6 +180,13 @@ namespace AnatomyCarve.Tests.Carving
             DirtyBrickSet dirty = Set(geometry);
             dirty.Compute(before, after, cut, haloVoxels);
             return dirty;
+        }
+
+        /// <summary>Whether a set holds a voxel.</summary>
+        static Func<int, int, int, bool> VoxelsOf(DirtyBrickSet dirty)
+        {
+            Dictionary<int, BrickPart> parts = dirty.Indices.Zip(dirty.Parts, (brick, part) => (brick, part)).ToDictionary(pair => pair.brick, pair => pair.part);
+            return (i, j, k) => parts.TryGetValue(dirty.Bricks.IndexOfVoxel(i, j, k), out BrickPart part) && part.Holds(i % 8, j % 8, k % 8);
         }
 
         static List<ClipSphere> Edited(RandomScenes scenes, VolumeGeometry geometry, List<ClipSphere> spheres)

@@ -16,7 +16,7 @@ namespace AnatomyCarve.Tests.Kernels
             var random = new Random(1);
             CarveScene carve = CarveScene.Opaque(KernelGrid.Aligned(30, 17, 26), 5, random);
             carve.AddRandomSphere(random).Radius = 20;
-            Check(KernelRig.ClipVoxels(), carve.Grid, random, groupsPerRow, "_OpacityOut", GraphicsFormat.R8_UNorm, 1, carve.Bind, rig => rig.SetCounts(0, 1, 5, false));
+            Check(KernelRig.ClipVoxels(), carve.Grid, random, groupsPerRow, "_OpacityOut", GraphicsFormat.R8_UNorm, 1, 4, carve.Bind, rig => rig.SetCounts(0, 1, 5, false));
         }
 
         [Test]
@@ -25,7 +25,7 @@ namespace AnatomyCarve.Tests.Kernels
             var random = new Random(2);
             KernelGrid grid = KernelGrid.Aligned(30, 17, 26);
             byte[] codes = OpacityFields.Fill(grid, (i, j, k) => random.Next(256));
-            Check(KernelRig.AntiAlias(), grid, random, 0, "_OpacityAAOut", GraphicsFormat.R8_UNorm, 1, rig =>
+            Check(KernelRig.AntiAlias(), grid, random, 0, "_OpacityAAOut", GraphicsFormat.R8_UNorm, 1, 4, rig =>
             {
                 rig.Set(grid);
                 rig.SetVolume("_Opacity", GraphicsFormat.R8_UNorm, grid, codes);
@@ -39,7 +39,7 @@ namespace AnatomyCarve.Tests.Kernels
             var random = new Random(3);
             KernelGrid grid = KernelGrid.Aligned(30, 17, 26);
             byte[] codes = OpacityFields.Fill(grid, (i, j, k) => random.Next(256));
-            Check(KernelRig.SobelNormals(), grid, random, 0, "_NormalsOut", GraphicsFormat.R8G8_UNorm, 2, rig =>
+            Check(KernelRig.SobelNormals(), grid, random, 0, "_NormalsOut", GraphicsFormat.R8G8_UNorm, 2, 2, rig =>
             {
                 rig.Set(grid);
                 rig.SetUncarved(grid);
@@ -47,10 +47,32 @@ namespace AnatomyCarve.Tests.Kernels
             }, rig => rig.SetVolume("_OpacityAA", GraphicsFormat.R8_UNorm, grid, new byte[grid.VoxelCount]));
         }
 
+        /// <summary>Whole bricks, nothing, and places of each quarter's columns in steps.</summary>
+        static uint RandomPart(Random random, int step)
+        {
+            if (random.Next(4) == 0)
+                return KernelRig.WholeBrick;
+            uint part = 0;
+            for (int quarter = 0; quarter < 4; quarter++)
+            {
+                int a = step * random.Next(8 / step + 1), b = step * random.Next(8 / step + 1);
+                if (a != b)
+                    part |= (uint)(Math.Min(a, b) | Math.Max(a, b) << 4) << (8 * quarter);
+            }
+            return part;
+        }
+
+        static bool IsIn(uint part, int i, int j, int k)
+        {
+            uint places = part >> (8 * (i / 4 + 2 * (j / 4)));
+            return k >= (int)(places & 15) && k < (int)((places >> 4) & 15);
+        }
+
+        /// <param name="step">Voxels along k that the kernel computes together.</param>
         /// <param name="prepare">Sets what the kernel reads.</param>
         /// <param name="change">Changes it, so that a second run over a list of bricks differs from the first.</param>
         static void Check(
-            KernelRig rig, KernelGrid grid, Random random, int groupsPerRow, string target, GraphicsFormat format, int bytesPerVoxel,
+            KernelRig rig, KernelGrid grid, Random random, int groupsPerRow, string target, GraphicsFormat format, int bytesPerVoxel, int step,
             Action<KernelRig> prepare, Action<KernelRig> change)
         {
             using (rig)
@@ -67,13 +89,16 @@ namespace AnatomyCarve.Tests.Kernels
                 Assert.That(KernelRig.Read<byte>(texture), Is.EqualTo(before), "the same input twice");
                 change(rig);
                 uint[] bricks = Array.FindAll(grid.AllBricks(), brick => random.Next(3) == 0);
-                rig.DispatchBricks(grid, bricks, groupsPerRow);
+                uint[] parts = Array.ConvertAll(bricks, brick => RandomPart(random, step));
+                rig.DispatchBricks(grid, bricks, groupsPerRow, parts);
                 byte[] after = KernelRig.Read<byte>(texture);
-                var listed = new HashSet<uint>(bricks);
+                var listed = new Dictionary<uint, uint>();
+                for (int n = 0; n < bricks.Length; n++)
+                    listed.Add(bricks[n], parts[n]);
                 int wrong = 0, different = 0;
                 grid.ForEach((i, j, k) =>
                 {
-                    bool inList = listed.Contains((uint)(i / 8) | (uint)(j / 8) << 10 | (uint)(k / 8) << 20);
+                    bool inList = listed.TryGetValue((uint)(i / 8) | (uint)(j / 8) << 10 | (uint)(k / 8) << 20, out uint part) && IsIn(part, i % 8, j % 8, k % 8);
                     for (int b = 0; b < bytesPerVoxel; b++)
                     {
                         int at = bytesPerVoxel * grid.Index(i, j, k) + b;

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Runtime.InteropServices;
 using NUnit.Framework;
 using UnityEngine;
@@ -14,6 +15,9 @@ namespace AnatomyCarve.Tests.Kernels
     /// </summary>
     sealed class KernelRig : IDisposable
     {
+        /// <summary>A brick's part in the packing of <c>_Bricks</c>: of all four quarters of its columns the places 0 to 7.</summary>
+        public const uint WholeBrick = 0x80808080u;
+
         readonly ComputeShader shader;
         readonly int kernel;
         readonly string name;
@@ -167,13 +171,13 @@ namespace AnatomyCarve.Tests.Kernels
         public RenderTexture PictureTarget(string name, GraphicsFormat format, int width, int height) =>
             Target(name, new RenderTextureDescriptor(width, height, format, 0));
 
-        /// <summary>Dispatches over a list of bricks, all of the grid by default, in rows of groups.</summary>
-        public void DispatchBricks(KernelGrid grid, uint[] bricks = null, int groupsPerRow = 0)
+        /// <summary>Dispatches over a list of bricks, all of the grid by default, in rows of groups; parts: what of each brick, <see cref="WholeBrick"/> by default.</summary>
+        public void DispatchBricks(KernelGrid grid, uint[] bricks = null, int groupsPerRow = 0, uint[] parts = null)
         {
             bricks = bricks ?? grid.AllBricks();
             groupsPerRow = groupsPerRow > 0 ? groupsPerRow : bricks.Length;
             SetBrickCounts(grid, bricks.Length, groupsPerRow);
-            SetRows("_Bricks", bricks);
+            SetRows("_Bricks", bricks.Select((brick, n) => new Vector2Int((int)brick, (int)(parts?[n] ?? WholeBrick))).ToArray());
             if (name == "AntiAlias")
                 SetRows("_BrickMatter", new Vector2[grid.AllBricks().Length]);
             if (name == "ClipVoxels" || name == "SobelNormals")

@@ -29,6 +29,10 @@ namespace AnatomyCarve.Tests.Kernels
         public void Reaches_AreTheSameInHlslAndCSharp()
         {
             Assert.That(Define(Read("SobelNormals.compute"), "SOBEL_REACH"), Is.EqualTo(CarvingReach.SobelVoxels));
+            Assert.That(Define(Read("Bricks.hlsl"), "OPACITY_STEP"), Is.EqualTo(BrickPart.OpacityStep));
+            Assert.That(Define(Read("Bricks.hlsl"), "NORMALS_STEP"), Is.EqualTo(BrickPart.NormalsStep));
+            Assert.That(Define(Read("Bricks.hlsl"), "QUARTER_SIZE"), Is.EqualTo(BrickPart.QuarterSize));
+            Assert.That(Define(Read("Bricks.hlsl"), "QUARTERS"), Is.EqualTo(BrickPart.Quarters));
             Assert.That(Regex.Match(Read("OpacityTile.hlsl"), @"TILE_SIZE \(BRICK_SIZE \+ (\d+)\)").Groups[1].Value, Is.EqualTo((2 * CarvingReach.AntiAliasVoxels).ToString()));
             string surface = Regex.Match(Read("ClipSpheres.hlsl"), @"SURFACE_REACH = ([0-9.]+);").Groups[1].Value;
             Assert.That(double.Parse(surface, System.Globalization.CultureInfo.InvariantCulture), Is.EqualTo(CarvingReach.SurfaceExtents));

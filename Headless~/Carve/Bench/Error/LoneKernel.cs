@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using AnatomyCarve.Carving;
 using AnatomyCarve.Picking;
 using AnatomyCarve.Volumes;
@@ -95,7 +96,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
         public void RunOverVolume()
         {
             var all = bricks.PackAll();
-            SetRows("_Bricks", all, sizeof(uint));
+            SetRows("_Bricks", all.SelectMany(brick => new[] { brick, BrickPart.Whole.Packed }).ToArray(), 2 * sizeof(uint));
             Set("_VolumeDims", geometry.SizeI, geometry.SizeJ, geometry.SizeK, all.Length);
             Set("_BrickGrid", bricks.BricksX, bricks.BricksY, bricks.BricksZ, all.Length);
             shader.Dispatch(kernel, all.Length, 1, 1);
