@@ -16,8 +16,11 @@ namespace AnatomyCarve.Headless.Cli.Bench.Report
     {
         const double Giga = 1e9;
 
-        /// <summary>Bytes that a stage reads and writes per voxel, with its tiles' margins and without caches.</summary>
-        const double ClipBytes = 2 + 1 + 1, AntiAliasBytes = 1.95 + 1, NormalsBytes = 5.36 + 2;
+        /// <summary>Bytes that a stage reads and writes per voxel; the later two read tiles instead, as if each brick's were whole.</summary>
+        const double ClipBytes = 2 + 1 + 1, AntiAliasBytes = 1, NormalsBytes = 2;
+
+        /// <summary>Bytes of a brick's tile: 10 and 14 voxels along each axis.</summary>
+        const double AntiAliasTile = 1000, NormalsTile = 2744;
 
         /// <summary>Bytes that a sample reads: eight opacities. Most come from caches; as if none did.</summary>
         const double SampleBytes = 8;
@@ -50,7 +53,8 @@ namespace AnatomyCarve.Headless.Cli.Bench.Report
             var moved = figures.FirstOrDefault(figure => figure.Quantity.Id == "P2")?.Outcome.Settings?["demo-move-40"];
             var samples = figures.FirstOrDefault(figure => figure.Quantity.Id == "P6")?.Outcome.Values;
             if (moved == null || samples == null) return "The run did not measure P2 and P6, from which this is derived.";
-            var volumeBytes = Elements(moved, "clipVoxels") * ClipBytes + Elements(moved, "antiAlias") * AntiAliasBytes + Elements(moved, "sobelNormals") * NormalsBytes;
+            var volumeBytes = Elements(moved, "clipVoxels") * ClipBytes + Elements(moved, "antiAlias") * AntiAliasBytes + Elements(moved, "sobelNormals") * NormalsBytes
+                + Bricks(moved, "antiAlias") * AntiAliasTile + Bricks(moved, "sobelNormals") * NormalsTile;
             text.AppendLine(string.Create(CultureInfo.InvariantCulture,
                 $"A sphere of 40 mm moves 5 mm in the scene `demo-move-40`: {volumeBytes / 1e6:0.0} MB in the volume's kernels. Rays take {samples.Max():0.0} samples each in the scene "
                 + $"with most (P6); every pixel is taken to have a ray that meets the volume.\n"));
@@ -58,6 +62,8 @@ namespace AnatomyCarve.Headless.Cli.Bench.Report
             foreach (var device in Devices) text.AppendLine(Row(device, volumeBytes, samples.Max()));
             return text.ToString().Replace("\r\n", "\n");
         }
+
+        static double Bricks(JsonNode work, string stage) => (double)work[stage]["bricks"];
 
         static double Elements(JsonNode work, string stage) => (double)work[stage]["elements"];
 
