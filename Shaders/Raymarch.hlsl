@@ -19,8 +19,10 @@
 // with what lies behind SHADED_ALPHA, so that whether rays end there changes next to nothing.
 //
 // The first visible segment is where accumulated alpha reaches _March.z. From the beginning of the step before the one where it does so, alpha is accumulated
-// anew in _Skip.y parts of a step each; within its part alpha grows as 1 - (1 - a)^length, which is solved for the length. Where the parts add up to less than
-// the steps, it is looked for two steps further, and taken to be the end of the step if it is not there either.
+// anew in _Skip.y parts of a step each; within its part alpha grows as 1 - (1 - a)^length, which is solved for the length. Where alpha comes near the threshold
+// (NEARLY of it) and reaches it neither with this step nor the next, as on rays that graze a surface, the parts begin where this matter begins (if that is within
+// FURTHER_STEPS): so the finer sum alone decides whether the threshold is reached here or on a surface behind. What the steps reach and the parts do not within
+// FURTHER_STEPS is taken to be at the end of the step.
 
 #ifndef PORTABLE_LAYOUT
 SamplerState sampler_LinearClamp;
@@ -31,6 +33,7 @@ static const float MAX_STEPS = 1048576.0; // so that no setting makes a ray endl
 static const float NO_DEPTH = asfloat(0x7F800000); // +infinity
 static const float SHADED_WEIGHT = 1.0 / 128.0, SHADED_ALPHA = 1.0 - 1.0 / 512.0;
 static const uint MOST_SHADED = 7u;
+static const float NEARLY = 0.9, FURTHER_STEPS = 32.0; // steps
 
 struct RayResult
 {
@@ -124,8 +127,9 @@ uint StepBeyondCells(StepRay ray, uint n, float rayEnd, uint lastStep, out bool 
     return (uint)clamp(beyond, float(n + 1u), float(max(lastStep, n + 1u)));
 }
 
-// Where alpha, accumulated from position begin on (in steps) where it is alpha, reaches _March.z; -1 if it does not before end.
-float FirstVisiblePosition(StepRay ray, float begin, float end, float alpha, inout uint samples)
+// Where alpha, accumulated from position begin on (in steps) where it is alpha, reaches _March.z, and the middle of the part in which it does; position -1 if
+// it does not before end.
+float FirstVisiblePosition(StepRay ray, float begin, float end, float alpha, inout float middle, inout uint samples)
 {
     float wanted = log2((1.0 - _March.z) / (1.0 - alpha)); // the log of the light that is to pass
     float passing = 0.0;
@@ -140,6 +144,7 @@ float FirstVisiblePosition(StepRay ray, float begin, float end, float alpha, ino
         if (passing + here <= wanted)
         {
             position = from + saturate((wanted - passing) / min(here, -1e-30)) * (to - from);
+            middle = 0.5 * (from + to);
             break;
         }
         passing += here;
@@ -189,8 +194,9 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT, flo
         ray.isBackwards = float3(ray.perStep.x < 0.0 ? 1.0 : 0.0, ray.perStep.y < 0.0 ? 1.0 : 0.0, ray.perStep.z < 0.0 ? 1.0 : 0.0);
         float logThrough = 0.0; // of the light that has passed so far: weights are differences of its powers, so that rounding does not add up
         float alpha = 0.0;
-        float visible = -1.0;   // the step in which alpha reaches _March.z
-        float beforeVisible = 0.0; // alpha where the step before that one begins
+        float nearlyVisible = -1.0, visible = -1.0; // the steps in which alpha comes near _March.z, and reaches it
+        float2 matter = float2(0.0, 0.0); // the step where the matter begins that the ray is in; alpha there
+        float2 search = float2(0.0, 0.0); // where the parts begin; alpha there
         float earlier = 0.0;    // alpha where the last step that was not empty begins
         uint last = stepCount;  // that step
         uint sampleUntil = _Skip.x > 0.0 ? 0u : stepCount; // in occupied cells up to here
@@ -227,10 +233,14 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT, flo
                     pairEnd = weight < SHADED_WEIGHT ? min(pairEnd + 2u, (from | pairing) + MOST_SHADED) : pairEnd;
                     until = min(alpha < SHADED_ALPHA ? pairEnd : n + 1u, stepCount);
                     moment += (alpha - before) * (0.5 * (begin + end) - float(from));
-                    if (visible < 0.0 && alpha >= _March.z)
+                    matter = last + 1u == n ? matter : float2(begin, before);
+                    earlier = last + 1u == n ? earlier : before;
+                    bool isReached = visible < 0.0 && alpha >= _March.z;
+                    visible = isReached ? begin : visible;
+                    if (nearlyVisible < 0.0 ? alpha >= NEARLY * _March.z : isReached && begin <= nearlyVisible + 1.0)
                     {
-                        visible = begin;
-                        beforeVisible = last + 1u == n ? earlier : before;
+                        nearlyVisible = begin;
+                        search = isReached || begin > matter.x + FURTHER_STEPS ? float2(begin, earlier) : matter;
                     }
                     earlier = before;
                     last = n;
@@ -241,15 +251,16 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT, flo
                 result.color.rgb += weight * ShadedColor(ray.first + (float(from) + moment / weight) * ray.perStep, ray.perStep / _March.x, toViewer, toLight);
         }
         result.color.a = alpha;
-        if (visible >= 0.0)
+        if (nearlyVisible >= 0.0)
         {
-            float position = FirstVisiblePosition(ray, max(visible - 1.0, 0.0), min(visible + 3.0, steps), beforeVisible, result.samples);
-            float stepEnd = min(visible + 1.0, steps);
-            position = position < 0.0 ? stepEnd : position;
+            float stepEnd = min(visible + 1.0, steps), sampled = 0.5 * (visible + stepEnd);
+            float searchEnd = min(max(nearlyVisible, visible) + 1.0 + FURTHER_STEPS, steps);
+            float position = FirstVisiblePosition(ray, max(search.x - 1.0, 0.0), searchEnd, search.y, sampled, result.samples);
+            position = position < 0.0 && visible >= 0.0 ? stepEnd : position;
             [loop]
-            for (uint look = 0u; look < 2u && result.segment == NO_SEGMENT; look++) // the step's sample has matter around, should the place have none
-                result.segment = SegmentAround(int3(floor(ray.first + (look == 0u ? position : 0.5 * (visible + stepEnd)) * ray.perStep)));
-            result.depthMm = (nearT + position * stepT) * mmPerT;
+            for (uint look = 0u; look < 2u && position >= 0.0 && result.segment == NO_SEGMENT; look++) // what was sampled has matter around, should the place have none
+                result.segment = SegmentAround(int3(floor(ray.first + (look == 0u ? position : sampled) * ray.perStep)));
+            result.depthMm = position >= 0.0 ? (nearT + position * stepT) * mmPerT : NO_DEPTH;
         }
     }
     return result;

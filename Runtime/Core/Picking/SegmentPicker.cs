@@ -8,12 +8,13 @@ namespace AnatomyCarve.Picking
     /// The walk of one ray to the first visible segment, in double precision: the CPU twin of <c>Raymarch.hlsl</c>, on the same samples. The part of the
     /// ray inside the volume's box is cut into steps from where the ray enters (the last step ends where it leaves); each is sampled in its
     /// middle, and a sample of opacity a per reference length adds 1 - (1 - a)^length. Where accumulated alpha reaches the threshold is looked
-    /// for in parts of steps, from the beginning of the step before on. Bricks in which nothing is visible are skipped; that changes no result.
+    /// for in parts of steps: from the step before on, or where alpha stays near it, from where that matter begins. Bricks in which nothing is visible are skipped; that changes no result.
     /// </summary>
     public static class SegmentPicker
     {
         const double MaxSteps = 1048576;
-        const int FurtherSteps = 2; // in which the first visible point may lie, where parts of steps add up to less than steps
+        const double Nearly = 0.9; // of the threshold
+        const int FurtherSteps = 32; // in which the first visible point is looked for beyond the steps that come near it, and matter's beginning before
 
         /// <summary>Finds the first visible segment on a ray.</summary>
         /// <param name="field">The carved volume.</param>
@@ -51,8 +52,11 @@ namespace AnatomyCarve.Picking
             double alpha = 0;
             double beforeLast = 0; // alpha before the last step but one
             double lastSeen = -2;
+            double nearly = -1, reached = -1; // the steps in which alpha comes near the threshold, and reaches it
+            double matterBegin = 0, matterAlpha = 0; // the step where the matter begins that the ray is in; alpha there
+            double searchBegin = 0, searchAlpha = 0; // where the parts of steps begin; alpha there
             double n = 0;
-            while (n < steps && alpha < settings.OpaqueAlpha)
+            while (n < steps && alpha < settings.OpaqueAlpha && reached < 0)
             {
                 double end = Math.Min(n + 1, steps);
                 VectorMm index = path.At(near + 0.5 * (n + end) * stepMm);
@@ -67,52 +71,71 @@ namespace AnatomyCarve.Picking
                 {
                     double before = alpha;
                     if (lastSeen != n - 1)
-                        beforeLast = before; // the step before was empty
+                        (beforeLast, matterBegin, matterAlpha) = (before, n, before); // the step before was empty
                     alpha = before + (1 - before) * (1 - Math.Exp(LogPassing(opacity, (end - n) * settings.StepReference)));
                     if (alpha >= settings.FirstVisibleAlpha)
+                        reached = n;
+                    if (nearly < 0 ? alpha >= Nearly * settings.FirstVisibleAlpha : reached >= 0 && n <= nearly + 1)
                     {
-                        double position = FirstVisiblePosition(
-                            field, path, settings, near, stepMm, Math.Max(n - 1, 0), Math.Min(n + 1 + FurtherSteps, steps), beforeLast);
-                        return HitAt(field, ray, path, near + (position >= 0 ? position : end) * stepMm, index);
+                        nearly = n;
+                        (searchBegin, searchAlpha) = reached >= 0 || n > matterBegin + FurtherSteps ? (n, beforeLast) : (matterBegin, matterAlpha);
                     }
                     beforeLast = before;
                     lastSeen = n;
                 }
                 n++;
             }
-            return SegmentHit.None;
+            if (nearly < 0)
+                return SegmentHit.None;
+            double position = FirstVisiblePosition(
+                field, path, settings, near, stepMm, Math.Max(searchBegin - 1, 0), Math.Min(Math.Max(nearly, reached) + 1 + FurtherSteps, steps), searchAlpha,
+                out double sampled);
+            if (position < 0 && reached < 0)
+                return SegmentHit.None;
+            if (position < 0)
+            {
+                position = Math.Min(reached + 1, steps);
+                sampled = 0.5 * (reached + position);
+            }
+            return HitAt(field, ray, path, near + position * stepMm, near + sampled * stepMm);
         }
 
         /// <summary>
-        /// Where alpha, accumulated from position begin on (in steps) where it is alpha, reaches the threshold; -1 if it does not before end. As in the kernel, a
-        /// step is cut into <see cref="RaySettings.PartsOfStep"/> parts, and the place within its part solved in closed form.
+        /// Where alpha, accumulated from position begin on (in steps) where it is alpha, reaches the threshold, and the middle of the part in which it does; -1 if
+        /// it does not before end. As in the kernel, a step is cut into <see cref="RaySettings.PartsOfStep"/> parts, and the place within its part solved in
+        /// closed form.
         /// </summary>
         static double FirstVisiblePosition(
-            CarvedField field, in IndexRay path, RaySettings settings, double near, double stepMm, double begin, double end, double alpha)
+            CarvedField field, in IndexRay path, RaySettings settings, double near, double stepMm, double begin, double end, double alpha, out double middle)
         {
             double wanted = Math.Log((1 - settings.FirstVisibleAlpha) / (1 - alpha)); // the log of the light that is to pass
             double passing = 0;
             for (double from = begin; from < end; from += 1.0 / RaySettings.PartsOfStep)
             {
                 double to = Math.Min(from + 1.0 / RaySettings.PartsOfStep, end);
-                VectorMm index = path.At(near + 0.5 * (from + to) * stepMm);
+                middle = 0.5 * (from + to);
+                VectorMm index = path.At(near + middle * stepMm);
                 double here = LogPassing(field.SampleAntiAliased(index.X, index.Y, index.Z), (to - from) * settings.StepReference);
                 if (passing + here <= wanted)
                     return from + Math.Max(0, Math.Min(1, (wanted - passing) / here)) * (to - from);
                 passing += here;
             }
+            middle = -1;
             return -1;
         }
 
         /// <summary>The log of the light that passes some reference lengths of matter. Matter of opacity 1 stops all, however short they are.</summary>
         static double LogPassing(double opacity, double lengths) => opacity < 1 ? lengths * Math.Log(1 - opacity) : double.NegativeInfinity;
 
-        static SegmentHit HitAt(CarvedField field, RayMm ray, in IndexRay path, double distance, VectorMm sample)
+        static SegmentHit HitAt(CarvedField field, RayMm ray, in IndexRay path, double distance, double sampledDistance)
         {
             VectorMm there = path.At(distance);
             int segment = field.SegmentAt(there.X, there.Y, there.Z);
             if (segment < 0)
+            {
+                VectorMm sample = path.At(sampledDistance); // has matter around
                 segment = field.SegmentAt(sample.X, sample.Y, sample.Z);
+            }
             return new SegmentHit(segment, ray.At(distance), distance);
         }
     }

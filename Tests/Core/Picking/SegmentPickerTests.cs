@@ -94,6 +94,48 @@ namespace AnatomyCarve.Tests.Picking
             Assert.That(hit.Segment, Is.EqualTo(1));
         }
 
+        /// <summary>
+        /// A translucent layer stops hardly more, or hardly less, light than what counts as visible: whether a ray stops there must not hang on where its steps lie.
+        /// </summary>
+        [TestCase(4, -0.0004, 1)]
+        [TestCase(4, 0.0004, 2)]
+        [TestCase(5, -0.0003, 1)]
+        [TestCase(5, 0.0003, 2)]
+        public void Pick_LayerAtTheThreshold_FinerSumDecidesWhetherItOrTheWallBehindIsSeen(int thickness, double beyond, int segment)
+        {
+            var ray = new RayMm(new PointMm(15, 15, -60), new VectorMm(0, 0, 1));
+            const int First = 12, Wall = 28;
+            bool IsLayer(int k) => k >= First && k < First + thickness;
+            var field = new CarvedField(Phantoms.Cube(
+                32, 3, (i, j, k) => IsLayer(k) ? 50 : k >= Wall ? 100 : 0, (i, j, k) => IsLayer(k) ? 1 : k >= Wall ? 2 : 0));
+            int rays = 0, otherwise = 0;
+            for (int code = 80; code <= 140; code += 10) // reached two steps or more after nearly
+            {
+                double opacity = code / 255.0, alpha = 1 - Math.Exp(LogThroughLayer(opacity, thickness, 1.0 / 256, 0));
+                var table = OpacityTransferFunction.Parse(FormattableString.Invariant($"0:0,50:{opacity},100:1"));
+                field.Update(new ClipSphere[0], table, field.Volume.Segments, CutMode.Binary, AntiAliasSettings.Off);
+                var settings = new RaySettings { StepReference = 0.5, FirstVisibleAlpha = alpha + beyond };
+                for (int n = 0; n < 32; n++, rays++)
+                {
+                    double phase = n / 64.0;
+                    SegmentHit hit = SegmentPicker.Pick(field, ray, settings, double.PositiveInfinity, 60 + phase);
+                    Assert.That(hit.Segment, Is.EqualTo(segment), FormattableString.Invariant($"opacity {code} / 255, steps at {phase}"));
+                    otherwise += (1 - Math.Exp(LogThroughLayer(opacity, thickness, 0.5, phase)) >= settings.FirstVisibleAlpha ? 1 : 2) != segment ? 1 : 0;
+                }
+            }
+            TestContext.WriteLine(FormattableString.Invariant($"{rays} rays; by whole steps {otherwise} would see another segment"));
+            Assert.That(otherwise, Is.GreaterThan(rays / 10));
+        }
+
+        /// <summary>The log of the light that passes some voxels of an opacity, which rises and falls linearly over a voxel, by steps.</summary>
+        static double LogThroughLayer(double opacity, int thickness, double step, double phase)
+        {
+            double sum = 0;
+            for (double z = phase - 2 + 0.5 * step; z < thickness + 1; z += step)
+                sum += step * Math.Log(1 - opacity * Math.Max(0, Math.Min(1, Math.Min(z + 1, thickness - z))));
+            return sum;
+        }
+
         [Test]
         public void Pick_OpaqueMatterInAShortLastStep_StopsAllLight()
         {
@@ -239,29 +281,39 @@ namespace AnatomyCarve.Tests.Picking
                 int segment = field.SegmentAt(there.X, there.Y, there.Z);
                 return new SegmentHit(segment >= 0 ? segment : field.SegmentAt(sample.X, sample.Y, sample.Z), ray.At(distance), distance);
             }
-            double wanted = 1 - settings.FirstVisibleAlpha, passed = 1, passedBefore = 1;
-            for (double begin = near; begin < far && 1 - passed < settings.OpaqueAlpha; begin += step)
+            var light = new List<double> { 1 }; // that comes to each step
+            while (near + (light.Count - 1) * step < far && 1 - light[light.Count - 1] < settings.OpaqueAlpha)
             {
-                double end = Math.Min(begin + step, far), stillPassing = passed * Passing(begin, end);
-                if (stillPassing <= wanted)
-                {
-                    double light = passedBefore, furthest = Math.Min(begin + 3 * step, far);
-                    for (double from = begin > near ? begin - step : near; from < furthest - 1e-12 * furthest; from += step / 4)
-                    {
-                        double to = Math.Min(from + step / 4, furthest), after = light * Passing(from, to);
-                        if (after <= wanted)
-                        {
-                            double share = after > 0 ? Math.Log(wanted / light) / Math.Log(after / light) : 0;
-                            return HitAt(from + Math.Max(0, Math.Min(1, share)) * (to - from), 0.5 * (begin + end));
-                        }
-                        light = after;
-                    }
-                    return HitAt(end, 0.5 * (begin + end));
-                }
-                passedBefore = passed;
-                passed = stillPassing;
+                double begin = near + (light.Count - 1) * step;
+                light.Add(light[light.Count - 1] * Passing(begin, Math.Min(begin + step, far)));
             }
-            return SegmentHit.None;
+            double wanted = 1 - settings.FirstVisibleAlpha;
+            int StepThatReaches(double alpha) => light.FindIndex(left => 1 - left >= alpha) - 1;
+            int nearly = StepThatReaches(0.9 * settings.FirstVisibleAlpha), reached = StepThatReaches(settings.FirstVisibleAlpha);
+            if (nearly < 0)
+                return SegmentHit.None;
+            int around = reached >= 0 && reached <= nearly + 1 ? reached : nearly;
+            if (around != reached)
+            {
+                int matter = around; // where it begins
+                while (matter > 0 && light[matter] < light[matter - 1])
+                    matter--;
+                around = around > matter + 32 ? around : matter;
+            }
+            int first = Math.Max(around - 1, 0);
+            double passing = light[first], furthest = Math.Min(near + (Math.Max(nearly, reached) + 33) * step, far);
+            for (double from = near + first * step; from < furthest - 1e-12 * furthest; from += step / 4)
+            {
+                double to = Math.Min(from + step / 4, furthest), after = passing * Passing(from, to);
+                if (after <= wanted)
+                {
+                    double share = after > 0 ? Math.Log(wanted / passing) / Math.Log(after / passing) : 0;
+                    return HitAt(from + Math.Max(0, Math.Min(1, share)) * (to - from), 0.5 * (from + to));
+                }
+                passing = after;
+            }
+            double reachedEnd = Math.Min(near + (reached + 1) * step, far);
+            return reached < 0 ? SegmentHit.None : HitAt(reachedEnd, 0.5 * (near + reached * step + reachedEnd));
         }
 
         static double Sample(CarvedField field, PointMm index)

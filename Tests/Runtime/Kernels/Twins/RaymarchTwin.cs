@@ -20,7 +20,8 @@ namespace AnatomyCarve.Tests.Kernels
         const double HairVoxels = 1e-4;
         const double HairAlpha = 1e-4;
         const double HairWeight = 1e-6;
-        const int MostShaded = 7; // steps
+        const int MostShaded = 7, FurtherSteps = 32; // steps
+        const double Nearly = 0.9; // of the threshold
         const double ShadedWeight = 1.0 / 128, ShadedAlpha = 1 - 1.0 / 512;
 
         readonly RayScene scene;
@@ -60,6 +61,8 @@ namespace AnatomyCarve.Tests.Kernels
             int pairing = scene.Step > 0.5 ? 0 : 1;
             int from = -1, until = int.MaxValue; // the stretch's steps
             double beforeLast = 0, weight = 0, moment = 0;
+            int nearly = -1, reached = -1; // the steps in which alpha comes near the threshold, and reaches it
+            (int step, double alpha) matter = (-1, 0), search = (0, 0); // where the matter begins that the ray is in; where the finer sum begins
             for (int n = 0; n < steps && ray.Color[3] < scene.OpaqueAlpha; n++)
             {
                 if (n >= until)
@@ -83,13 +86,26 @@ namespace AnatomyCarve.Tests.Kernels
                     ray.ColorUndecided |= Math.Abs(weight - ShadedWeight) < HairWeight || Math.Abs(ray.Color[3] - ShadedAlpha) < HairWeight;
                     ray.ColorUndecided |= Math.Abs(ray.Color[3] - scene.OpaqueAlpha) < HairAlpha;
                     ray.VisibilityUndecided |= Math.Abs(ray.Color[3] - scene.VisibleAlpha) < HairAlpha;
-                    if (before < scene.VisibleAlpha && ray.Color[3] >= scene.VisibleAlpha)
-                        FindVisible(ray, start, velocity, near, stepT, mmPerT, steps, n, beforeLast);
+                    ray.VisibilityUndecided |= Math.Abs(ray.Color[3] - Nearly * scene.VisibleAlpha) < HairAlpha;
+                    bool isReached = before < scene.VisibleAlpha && ray.Color[3] >= scene.VisibleAlpha;
+                    reached = isReached ? n : reached;
+                    matter = matter.step < 0 ? (n, before) : matter;
+                    if (nearly < 0 ? ray.Color[3] >= Nearly * scene.VisibleAlpha : isReached && n <= nearly + 1)
+                    {
+                        nearly = n;
+                        search = isReached || n > matter.step + FurtherSteps ? (n, beforeLast) : matter;
+                    }
+                }
+                else
+                {
+                    matter.step = -1;
                 }
                 beforeLast = before;
             }
             if (weight > 0)
                 ShadeStretch(ray, start, velocity, near, stepT, moment / weight, weight, toViewer);
+            if (nearly >= 0)
+                FindVisible(ray, start, velocity, near, stepT, mmPerT, steps, nearly, reached, search);
             return ray;
         }
 
@@ -102,28 +118,37 @@ namespace AnatomyCarve.Tests.Kernels
             ray.ColorUndecided |= (undecided || turnUndecided) && weight > 1e-3;
         }
 
-        void FindVisible(
-            Ray ray, double[] start, double[] velocity, double near, double stepT, double mmPerT, double steps, int step, double beforeLast)
+        void FindVisible(Ray ray, double[] start, double[] velocity, double near, double stepT, double mmPerT, double steps, int nearly, int reached,
+            (int step, double alpha) search)
         {
-            double end = Math.Min(step + 1, steps);
-            double position = VisiblePosition(ray, start, velocity, near, stepT, Math.Max(step - 1, 0), Math.Min(step + 3, steps), beforeLast);
+            double position = VisiblePosition(ray, start, velocity, near, stepT, Math.Max(search.step - 1, 0),
+                Math.Min(Math.Max(nearly, reached) + 1 + FurtherSteps, steps), search.alpha, out double sampled);
             ray.Found = position >= 0;
-            double t = near + stepT * (ray.Found ? position : end);
+            if (!ray.Found && reached < 0)
+                return;
+            if (!ray.Found)
+            {
+                position = Math.Min(reached + 1, steps);
+                sampled = 0.5 * (reached + position);
+            }
+            double t = near + stepT * position;
             ray.DepthMm = t * mmPerT;
             ray.Segment = SegmentAround(At(start, velocity, t), out ray.SegmentUndecided);
             if (ray.Segment != RayScene.NoSegment)
                 return;
-            ray.Segment = SegmentAround(At(start, velocity, near + 0.5 * (step + end) * stepT), out bool undecided);
+            ray.Segment = SegmentAround(At(start, velocity, near + sampled * stepT), out bool undecided);
             ray.SegmentUndecided |= undecided;
         }
 
-        /// <summary>From the beginning of the step before the one where alpha reaches the threshold, alpha is accumulated anew in quarters of a step.</summary>
-        double VisiblePosition(Ray ray, double[] start, double[] velocity, double near, double stepT, double begin, double end, double alpha)
+        /// <summary>From the beginning of the step before a step on, alpha is accumulated anew in quarters of a step.</summary>
+        double VisiblePosition(
+            Ray ray, double[] start, double[] velocity, double near, double stepT, double begin, double end, double alpha, out double middle)
         {
             for (double from = begin; from < end; from += 0.25)
             {
                 double to = Math.Min(from + 0.25, end);
-                double opacity = Trilinear(At(start, velocity, near + 0.5 * (from + to) * stepT));
+                middle = 0.5 * (from + to);
+                double opacity = Trilinear(At(start, velocity, near + middle * stepT));
                 ray.Samples++;
                 double lengths = (to - from) * scene.Step, after = 1 - (1 - alpha) * Math.Pow(1 - opacity, lengths);
                 ray.VisibilityUndecided |= Math.Abs(after - scene.VisibleAlpha) < HairAlpha && to >= end;
@@ -134,6 +159,7 @@ namespace AnatomyCarve.Tests.Kernels
                 }
                 alpha = after;
             }
+            middle = -1;
             return -1;
         }
 
