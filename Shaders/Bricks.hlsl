@@ -4,15 +4,16 @@
 #include "VolumeLayout.hlsl"
 
 // Which brick a group of threads works on, and which of its voxels: the kernels of the volume run over a list of bricks, all of them or only those that an edit
-// touched. A part of a brick is, of each quarter of its columns (4x4 of them), what lies between two z: whole steps of OPACITY_STEP voxels, because a texel of the
-// portable layout holds so many opacities and a cell of the skip structure is so long; of NORMALS_STEP for normals.
+// touched. A part of a brick is, of each strip of its columns (4x2 of them), what lies between two z: whole steps of NORMALS_STEP voxels, as a texel of the portable
+// layout holds so many normals. Parts of opacities are whole blocks of OPACITY_STEP voxels along each axis: cells of the skip structure.
 
 #define OPACITY_STEP 4
 #define NORMALS_STEP 2
-#define QUARTER_SIZE 4 // columns along x and y
-#define QUARTERS 4     // x half + 2 * y half
+#define STRIP_COLUMNS 4 // along x
+#define STRIP_ROWS 2    // along y
+#define STRIPS 8        // upper rows of a quarter + 2 * x half + 4 * y half
 
-StructuredBuffer<uint2> _Bricks; // _VolumeDims.w bricks: x: coordinates, x | y << 10 | z << 20; y: part, 8 bits a quarter: the first z, and the end << 4
+StructuredBuffer<uint2> _Bricks; // _VolumeDims.w bricks: x: coordinates, x | y << 10 | z << 20; y: part, 4 bits a strip (RangeOf)
 
 // False for the groups that pad the last row of the dispatch. Uniform over the group, so a kernel may return on it before a barrier.
 bool GroupHasBrick(uint3 group)
@@ -32,21 +33,25 @@ int3 BrickOrigin(uint3 group)
 
 uint BrickPart(uint3 group) { return _Bricks[ListedBrick(group)].y; }
 
-// The column that a thread works on. Threads of a quarter are neighbours, so that those without work are so together.
+// The column that a thread works on. Threads of a strip are neighbours, and those of the strip beside it, so that those without work are so together.
 uint2 ColumnOf(uint threadIndex)
 {
     return uint2((threadIndex & 3u) | ((threadIndex >> 2) & 4u), ((threadIndex >> 2) & 3u) | ((threadIndex >> 3) & 4u));
 }
 
-// A quarter's first z and end; both 0 for nothing.
-uint2 RangeOf(uint part, uint quarter)
+// A strip's first z and end, in steps: 3 less the lower two bits, and 1 more than the upper two; so all bits 0 are nothing (the end lies before the first), all 1
+// everything.
+uint2 RangeOf(uint part, uint strip)
 {
-    uint bits = part >> (8u * quarter);
-    return uint2(bits & 15u, (bits >> 4) & 15u);
+    uint bits = part >> (4u * strip);
+    return NORMALS_STEP * uint2(3u - (bits & 3u), 1u + ((bits >> 2) & 3u));
 }
 
+// A strip's first column.
+uint2 StripOrigin(uint strip) { return uint2(STRIP_COLUMNS * ((strip >> 1) & 1u), STRIP_ROWS * ((strip & 1u) | ((strip >> 1) & 2u))); }
+
 // A column's first z and end.
-uint2 ColumnRange(uint part, uint threadIndex) { return RangeOf(part, threadIndex / (QUARTER_SIZE * QUARTER_SIZE)); }
+uint2 ColumnRange(uint part, uint threadIndex) { return RangeOf(part, threadIndex / (STRIP_COLUMNS * STRIP_ROWS)); }
 
 // The box around all that belongs to a part.
 void PartBox(uint part, out uint3 first, out uint3 end)
@@ -54,14 +59,14 @@ void PartBox(uint part, out uint3 first, out uint3 end)
     first = uint3(BRICK_SIZE, BRICK_SIZE, BRICK_SIZE);
     end = uint3(0u, 0u, 0u);
     [unroll]
-    for (uint quarter = 0u; quarter < QUARTERS; quarter++)
+    for (uint strip = 0u; strip < STRIPS; strip++)
     {
-        uint2 range = RangeOf(part, quarter);
-        uint3 low = uint3(QUARTER_SIZE * (quarter & 1u), QUARTER_SIZE * (quarter >> 1), range.x);
+        uint2 range = RangeOf(part, strip);
+        uint3 low = uint3(StripOrigin(strip), range.x);
         if (range.y > range.x)
         {
             first = min(first, low);
-            end = max(end, uint3(low.xy + QUARTER_SIZE, range.y));
+            end = max(end, uint3(low.xy + uint2(STRIP_COLUMNS, STRIP_ROWS), range.y));
         }
     }
 }

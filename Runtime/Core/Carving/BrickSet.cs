@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 
 namespace AnatomyCarve.Carving
@@ -38,19 +37,5 @@ namespace AnatomyCarve.Carving
         }
 
         public void Sort() => indices.Sort();
-
-        /// <summary>Takes out the bricks at places in the list for which a condition does not hold.</summary>
-        public void Keep(Func<int, bool> condition)
-        {
-            int kept = 0;
-            for (int n = 0; n < indices.Count; n++)
-            {
-                bool keeps = condition(n);
-                isIn[indices[n]] = keeps;
-                if (keeps)
-                    indices[kept++] = indices[n];
-            }
-            indices.RemoveRange(kept, indices.Count - kept);
-        }
     }
 }

@@ -10,25 +10,21 @@ namespace AnatomyCarve.Carving
     sealed class ChangedSpheres
     {
         /// <summary>Up to so many, each is compared with each.</summary>
-        const int Few = 16;
+        public const int Few = 16;
 
         readonly BrickGrid bricks;
         readonly CentredGrid grid;
-        readonly SphereReach reach;
         readonly SphereDifference difference = new SphereDifference();
         readonly List<ClipSphere> remasked = new List<ClipSphere>();
         Changed[] spheres = new Changed[8]; // first those of the earlier carving, then of the later, then of both with another mask
         int firstAdded, firstRemasked;
-        readonly KRange[] touched = new KRange[Few], covered = new KRange[Few];
-        readonly List<int> lenders = new List<int>();
-        bool lendInside; // whether other surfaces than theirs are near
         CutMode cut;
 
         public ChangedSpheres(BrickGrid bricks, CentredGrid grid)
         {
             this.bricks = bricks;
             this.grid = grid;
-            reach = new SphereReach(grid);
+            Reach = new SphereReach(grid);
         }
 
         /// <summary>What is visible before carving; null = anything may be.</summary>
@@ -36,6 +32,8 @@ namespace AnatomyCarve.Carving
 
         /// <summary>The later carving's spheres; null = where others hide what differs is not looked for.</summary>
         public SphereIndex Index { get; set; }
+
+        public SphereReach Reach { get; }
 
         public int Count { get; private set; }
 
@@ -59,8 +57,8 @@ namespace AnatomyCarve.Carving
                 Add(sphere);
         }
 
-        /// <summary>The voxels whose coverage or normal a sphere can change.</summary>
-        public VoxelBox BoxOf(int number) => spheres[number].Box;
+        /// <summary>One of them.</summary>
+        public ref readonly Changed this[int number] => ref spheres[number];
 
         /// <summary>Whether a sphere can make a difference to the opacities of a box of voxels within a brick.</summary>
         public bool Matters(int number, int x, int y, int z, in VoxelBox box)
@@ -69,14 +67,14 @@ namespace AnatomyCarve.Carving
             ReadOnlySpan<ushort> segments = Contents == null ? default : Contents[bricks.IndexOf(x, y, z)];
             if (Contents != null && !sphere.Mask.HoldsAny(segments))
                 return false;
-            BoxCover cover = reach.Cover(sphere.Place, box);
+            BoxCover cover = Reach.Cover(sphere.Place, box);
             if (cover == BoxCover.None)
                 return false;
             (int first, int end) = OppositesOf(number);
             if (cover == BoxCover.Whole && end - first <= Few)
                 for (int other = first; other < end; other++)
                     if ((Contents == null ? sphere.Mask.Equals(spheres[other].Mask) : sphere.Mask.IsWithin(spheres[other].Mask, segments))
-                        && reach.Cover(spheres[other].Place, box) == BoxCover.Whole)
+                        && Reach.Cover(spheres[other].Place, box) == BoxCover.Whole)
                         return false;
             return Index == null || Contents == null || !Index.IsHiddenByOthers(x, y, z, box, cut, sphere.Mask, segments);
         }
@@ -97,83 +95,18 @@ namespace AnatomyCarve.Carving
             if (Contents != null && !Contents.AnyIsIn(sphere.Mask, bricks.IndexOf(x, y, z)))
                 return false;
             VoxelBox box = bricks.VoxelsOf(x, y, z);
-            BoxCover cover = reach.Cover(sphere.Surface, box);
+            BoxCover cover = Reach.Cover(sphere.Surface, box);
             if (cover != BoxCover.Whole)
                 return cover == BoxCover.Part;
             (int first, int end) = OppositesOf(number);
             for (int other = first; other < end; other++)
-                if (reach.Cover(spheres[other].Surface, box) == BoxCover.Part)
+                if (Reach.Cover(spheres[other].Surface, box) == BoxCover.Part)
                     return true;
             return Index == null || Index.HasOtherSurfaceIn(x, y, z);
         }
 
-        /// <summary>
-        /// Where along k opacities within a halo of a brick's columns can differ, as far as the spheres' places say so: where one touches, but not where it and one
-        /// of the other carving with the same mask cover all.
-        /// </summary>
-        /// <param name="columns">The columns with the halo around them.</param>
-        /// <param name="haloVoxels">The halo along k.</param>
-        public KRange Differing(in VoxelBox columns, int haloVoxels)
-        {
-            for (int number = 0; number < Count; number++)
-                reach.Along(spheres[number].Place, columns, out touched[number], out covered[number]);
-            KRange range = KRange.Nowhere;
-            for (int number = 0; number < Count; number++)
-                if (!touched[number].IsEmpty)
-                    range = range.Or(Outside(touched[number], CoveredInBoth(number), haloVoxels, columns));
-            return range;
-        }
-
-        /// <summary>Where along k a sphere, and one of the other carving that clips the same, both cover all of the columns.</summary>
-        KRange CoveredInBoth(int number)
-        {
-            if (covered[number].IsEmpty)
-                return KRange.Nowhere;
-            (int first, int end) = OppositesOf(number);
-            for (int other = first; other < end; other++)
-            {
-                KRange both = covered[number].And(covered[other]);
-                if (!both.IsEmpty && spheres[number].Mask.Equals(spheres[other].Mask))
-                    return both;
-            }
-            return KRange.Nowhere;
-        }
-
-        /// <summary>Finds the spheres that can change the normals of a brick by themselves, for <see cref="WithOtherNormals"/>.</summary>
-        public void FindLenders(int x, int y, int z)
-        {
-            lenders.Clear();
-            for (int number = 0; number < Count; number++)
-                if (LendsNormals(number, x, y, z))
-                    lenders.Add(number);
-            lendInside = lenders.Count > 0 && (Index == null || Index.HasOtherSurfaceIn(x, y, z));
-        }
-
-        /// <summary>Where along k columns of that brick can take another normal because a sphere's surface came or went.</summary>
-        public KRange WithOtherNormals(in VoxelBox columns)
-        {
-            KRange range = KRange.Nowhere;
-            foreach (int number in lenders)
-            {
-                reach.Along(spheres[number].Surface, columns, out KRange near, out KRange deep);
-                range = range.Or(Outside(near, lendInside ? KRange.Nowhere : deep, 0, columns)); // deep inside all is as it was, if no other's surface is there
-            }
-            return range;
-        }
-
-        /// <summary>Where within the columns' ends a place within a halo lies in a range, but not in another.</summary>
-        static KRange Outside(KRange range, KRange without, int haloVoxels, in VoxelBox columns)
-        {
-            KRange all = range.And(new KRange(columns.MinK - haloVoxels, columns.MaxK + haloVoxels));
-            if (without.IsEmpty)
-                return all.Widened(haloVoxels);
-            var own = new KRange(columns.MinK, columns.MaxK);
-            KRange below = all.And(new KRange(int.MinValue, without.First - 1)), above = all.And(new KRange(without.Last + 1, int.MaxValue));
-            return below.Widened(haloVoxels).And(own).Or(above.Widened(haloVoxels).And(own));
-        }
-
         /// <summary>The first and the end of the spheres that only the other carving has; none for one that stands in both.</summary>
-        (int first, int end) OppositesOf(int number) => number < firstAdded ? (firstAdded, firstRemasked) : number < firstRemasked ? (0, firstAdded) : (0, 0);
+        public (int first, int end) OppositesOf(int number) => number < firstAdded ? (firstAdded, firstRemasked) : number < firstRemasked ? (0, firstAdded) : (0, 0);
 
         /// <summary>Takes the spheres that stand in both carvings in the same place out of both lists.</summary>
         void TakeRemasked()
@@ -197,14 +130,15 @@ namespace AnatomyCarve.Carving
         void Add(ClipSphere sphere)
         {
             SphereF place = grid.ToCentred(sphere);
-            if (!reach.TrySurfaceBox(place, out VoxelBox box))
+            if (!Reach.TrySurfaceBox(place, out VoxelBox box))
                 return;
             if (Count == spheres.Length)
                 Array.Resize(ref spheres, 2 * Count);
-            spheres[Count++] = new Changed(sphere.Mask, reach.Of(place, cut), reach.SurfaceOf(place), box);
+            spheres[Count++] = new Changed(sphere.Mask, Reach.Of(place, cut), Reach.SurfaceOf(place), box);
         }
 
-        readonly struct Changed
+        /// <summary>A sphere, and where it matters.</summary>
+        public readonly struct Changed
         {
             public Changed(SegmentMask mask, in SphereReach.Ready place, in SphereReach.Ready surface, in VoxelBox box)
             {
@@ -216,10 +150,13 @@ namespace AnatomyCarve.Carving
 
             public SegmentMask Mask { get; }
 
+            /// <summary>Where it clips.</summary>
             public SphereReach.Ready Place { get; }
 
+            /// <summary>Where it can lend voxels its normal.</summary>
             public SphereReach.Ready Surface { get; }
 
+            /// <summary>The voxels whose coverage or normal it can change.</summary>
             public VoxelBox Box { get; }
         }
     }

@@ -10,7 +10,7 @@ namespace AnatomyCarve.Carving
     /// <code>
     /// var dirty = new DirtyBrickSet(bricks, grid);                                     // once
     /// dirty.Compute(before, after, cut, CarvingReach.AntiAliasVoxels);                 // per edit and stage
-    /// dirty.PackInto(words);                                                           // words.Length >= dirty.Count
+    /// foreach (int brick in dirty.Indices) ...                                         // and what of each, in the same order: dirty.Parts
     /// </code>
     /// </summary>
     public sealed class DirtyBrickSet
@@ -18,11 +18,10 @@ namespace AnatomyCarve.Carving
         const int Size = BrickGrid.BrickSize;
 
         readonly ChangedSpheres changed;
-        readonly BrickSet touched, dirty; // touched: without a halo
+        readonly DirtyCandidates candidates;
         readonly DirtyParts dirtyParts;
+        readonly BrickSet dirty;
         readonly List<BrickPart> parts = new List<BrickPart>();
-        IReadOnlyList<ClipSphere> lastBefore, lastAfter;
-        CutMode lastCut;
 
         /// <summary>Makes a set without bricks.</summary>
         /// <param name="bricks">The volume's bricks.</param>
@@ -32,9 +31,9 @@ namespace AnatomyCarve.Carving
         {
             Bricks = bricks ?? throw new ArgumentNullException(nameof(bricks));
             changed = new ChangedSpheres(bricks, grid ?? throw new ArgumentNullException(nameof(grid)));
-            touched = new BrickSet(bricks.Count);
+            candidates = new DirtyCandidates(bricks, changed);
+            dirtyParts = new DirtyParts(bricks, changed, candidates.Touched);
             dirty = new BrickSet(bricks.Count);
-            dirtyParts = new DirtyParts(bricks, changed, touched);
         }
 
         /// <summary>The volume's bricks.</summary>
@@ -65,7 +64,7 @@ namespace AnatomyCarve.Carving
                 if (value != null && value.Count != Bricks.Count)
                     throw new ArgumentException(FormattableString.Invariant($"There are contents of {value.Count} bricks for {Bricks.Count}."), nameof(value));
                 changed.Contents = value;
-                lastBefore = null;
+                candidates.Forget();
             }
         }
 
@@ -79,7 +78,7 @@ namespace AnatomyCarve.Carving
             set
             {
                 changed.Index = value;
-                lastBefore = null;
+                candidates.Forget();
             }
         }
 
@@ -114,25 +113,8 @@ namespace AnatomyCarve.Carving
         {
             if (haloVoxels < 0 || haloVoxels > Size)
                 throw new ArgumentOutOfRangeException(nameof(haloVoxels), haloVoxels, FormattableString.Invariant($"A halo is 0 to {Size} voxels."));
-            Take(before, after, cut, haloVoxels);
+            candidates.Take(before, after, cut, haloVoxels, false);
             TakeParts(haloVoxels, false);
-        }
-
-        void Take(IReadOnlyList<ClipSphere> before, IReadOnlyList<ClipSphere> after, CutMode cut, int haloVoxels)
-        {
-            bool isSame = before is CarvingSnapshot && after is CarvingSnapshot
-                && ReferenceEquals(before, lastBefore) && ReferenceEquals(after, lastAfter) && cut == lastCut;
-            if (!isSame)
-            {
-                changed.Take(before, after, cut);
-                Touch();
-            }
-            lastBefore = before;
-            lastAfter = after;
-            lastCut = cut;
-            dirty.CopyFrom(touched);
-            if (haloVoxels > 0)
-                Widen(haloVoxels);
         }
 
         /// <summary>
@@ -142,106 +124,22 @@ namespace AnatomyCarve.Carving
         /// <inheritdoc cref="Compute"/>
         public void ComputeNormals(IReadOnlyList<ClipSphere> before, IReadOnlyList<ClipSphere> after, CutMode cut)
         {
-            Take(before, after, cut, CarvingReach.NormalsVoxels);
-            AddSurfaces();
+            candidates.Take(before, after, cut, CarvingReach.NormalsVoxels, true);
             TakeParts(CarvingReach.NormalsVoxels, true);
         }
 
-        /// <summary>Writes the dirty bricks as the kernels take them, in the order of their numbers: <see cref="BrickGrid.Pack"/>.</summary>
-        /// <param name="destination">Takes <see cref="Count"/> words from its beginning.</param>
-        /// <exception cref="ArgumentNullException"><paramref name="destination"/> is null.</exception>
-        /// <exception cref="ArgumentException">The bricks do not fit.</exception>
-        public void PackInto(uint[] destination)
-        {
-            if (destination == null)
-                throw new ArgumentNullException(nameof(destination));
-            if (destination.Length < Count)
-                throw new ArgumentException(FormattableString.Invariant($"{Count} bricks do not fit into {destination.Length}."), nameof(destination));
-            for (int n = 0; n < Count; n++)
-            {
-                Bricks.BrickAt(dirty.Indices[n], out int x, out int y, out int z);
-                destination[n] = BrickGrid.Pack(x, y, z);
-            }
-        }
-
-        /// <summary>Finds what of the bricks is dirty, and drops those of which nothing is.</summary>
+        /// <summary>Finds what of the candidates is dirty, and drops those of which nothing is.</summary>
         void TakeParts(int haloVoxels, bool withSurfaces)
         {
-            dirty.Sort();
+            dirty.Clear();
             parts.Clear();
-            for (int n = 0; n < dirty.Indices.Count; n++)
-                parts.Add(dirtyParts.Of(dirty.Indices[n], haloVoxels, withSurfaces));
-            dirty.Keep(number => !parts[number].IsNone);
-            parts.RemoveAll(part => part.IsNone);
-        }
-
-        void Touch()
-        {
-            touched.Clear();
-            for (int n = 0; n < changed.Count; n++)
+            foreach (int brick in candidates.Indices)
             {
-                VoxelBox box = changed.BoxOf(n);
-                for (int z = box.MinK / Size; z <= box.MaxK / Size; z++)
-                    for (int y = box.MinJ / Size; y <= box.MaxJ / Size; y++)
-                        for (int x = box.MinI / Size; x <= box.MaxI / Size; x++)
-                        {
-                            int brick = Bricks.IndexOf(x, y, z);
-                            if (!touched[brick] && changed.Matters(n, x, y, z, Bricks.VoxelsOf(x, y, z)))
-                                touched.Add(brick);
-                        }
-            }
-        }
-
-        /// <summary>The bricks around a touched one are dirty where they are within the halo of a voxel that can differ.</summary>
-        void Widen(int haloVoxels)
-        {
-            for (int n = 0; n < touched.Indices.Count; n++)
-            {
-                Bricks.BrickAt(touched.Indices[n], out int x, out int y, out int z);
-                for (int dz = -1; dz <= 1; dz++)
-                    for (int dy = -1; dy <= 1; dy++)
-                        for (int dx = -1; dx <= 1; dx++)
-                        {
-                            if (!Bricks.Contains(x + dx, y + dy, z + dz))
-                                continue;
-                            int beside = Bricks.IndexOf(x + dx, y + dy, z + dz);
-                            if (!dirty[beside] && (!changed.AreFew || changed.AnyMatters(x, y, z, Side(x, y, z, dx, dy, dz, haloVoxels))))
-                                dirty.Add(beside);
-                        }
-            }
-        }
-
-        /// <summary>The voxels of a brick that lie within a halo of its neighbour in a direction.</summary>
-        VoxelBox Side(int x, int y, int z, int dx, int dy, int dz, int haloVoxels)
-        {
-            VoxelBox box = Bricks.VoxelsOf(x, y, z);
-            Narrow(dx, haloVoxels, ref box.MinI, ref box.MaxI);
-            Narrow(dy, haloVoxels, ref box.MinJ, ref box.MaxJ);
-            Narrow(dz, haloVoxels, ref box.MinK, ref box.MaxK);
-            return box;
-        }
-
-        static void Narrow(int direction, int haloVoxels, ref int min, ref int max)
-        {
-            if (direction < 0)
-                max = Math.Min(max, min + haloVoxels - 1);
-            else if (direction > 0)
-                min = Math.Max(min, max - haloVoxels + 1);
-        }
-
-        void AddSurfaces()
-        {
-            for (int n = 0; n < changed.Count; n++)
-            {
-                VoxelBox box = changed.BoxOf(n);
-                for (int z = box.MinK / Size; z <= box.MaxK / Size; z++)
-                    for (int y = box.MinJ / Size; y <= box.MaxJ / Size; y++)
-                        for (int x = box.MinI / Size; x <= box.MaxI / Size; x++)
-                        {
-                            int brick = Bricks.IndexOf(x, y, z);
-                            if (!dirty[brick] && changed.LendsNormals(n, x, y, z))
-                                dirty.Add(brick);
-                        }
+                BrickPart part = dirtyParts.Of(brick, haloVoxels, withSurfaces);
+                if (part.IsNone)
+                    continue;
+                dirty.Add(brick);
+                parts.Add(part);
             }
         }
     }

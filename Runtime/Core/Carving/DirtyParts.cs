@@ -4,12 +4,12 @@ using System.Collections.Generic;
 namespace AnatomyCarve.Carving
 {
     /// <summary>
-    /// What of a dirty brick is dirty: the part of <see cref="DirtyBrickSet"/> that looks into bricks. Of each quarter of a brick's columns it takes the places
+    /// What of a dirty brick is dirty: the part of <see cref="DirtyBrickSet"/> that looks into bricks. Of each strip of a brick's columns it takes the places
     /// along k that both the spheres and the bricks that can differ leave possible; never too few.
     /// </summary>
     sealed class DirtyParts
     {
-        const int Size = BrickGrid.BrickSize, Half = BrickPart.QuarterSize;
+        const int Size = BrickGrid.BrickSize, Half = Size / 2;
 
         /// <summary>Bits of a neighbourhood that a halo of at most half a brick reaches: of the brick itself, of all, and of each quarter.</summary>
         const int Centre = 1 << 4, All = (1 << 9) - 1;
@@ -18,6 +18,7 @@ namespace AnatomyCarve.Carving
 
         readonly BrickGrid bricks;
         readonly ChangedSpheres changed;
+        readonly ChangedRanges ranges;
         readonly BrickSet touched;
         readonly int[] touchedAround = new int[3]; // a brick's neighbourhood by z, bits dx + 1 + 3 * (dy + 1)
 
@@ -29,6 +30,7 @@ namespace AnatomyCarve.Carving
             this.bricks = bricks;
             this.changed = changed;
             this.touched = touched;
+            ranges = new ChangedRanges(changed);
         }
 
         /// <summary>What of a brick can differ because opacities within a halo can, or, if asked for, because a sphere's surface gives voxels its normal.</summary>
@@ -42,31 +44,32 @@ namespace AnatomyCarve.Carving
             int step = withSurfaces ? BrickPart.NormalsStep : BrickPart.OpacityStep;
             FindTouchedAround(x, y, z);
             if (withSurfaces)
-                changed.FindLenders(x, y, z);
+                ranges.FindLenders(x, y, z);
             BrickPart part = BrickPart.None;
-            for (int quarter = 0; quarter < BrickPart.Quarters; quarter++)
+            for (int strip = 0; strip < BrickPart.Strips; strip += step / BrickPart.StripRows)
             {
-                VoxelBox columns = ColumnsOf(box, quarter);
+                VoxelBox columns = ColumnsOf(box, strip, step);
                 if (columns.MaxI < columns.MinI || columns.MaxJ < columns.MinJ)
                     continue;
-                KRange range = Near(z, quarter, haloVoxels).And(own);
+                KRange range = Near(z, strip >> 1, haloVoxels).And(own);
                 if (!range.IsEmpty)
-                    range = range.And(changed.Differing(Widened(columns, haloVoxels), haloVoxels));
+                    range = range.And(ranges.Differing(Widened(columns, haloVoxels), haloVoxels));
                 if (withSurfaces && !range.Holds(own))
-                    range = range.Or(changed.WithOtherNormals(columns));
+                    range = range.Or(ranges.WithOtherNormals(columns));
                 range = range.And(own);
-                if (!range.IsEmpty)
-                    part = part.With(quarter, range.First - z * Size, range.Last - z * Size, step);
+                for (int n = strip; n < strip + step / BrickPart.StripRows && !range.IsEmpty; n++)
+                    part = part.With(n, range.First - z * Size, range.Last - z * Size, step);
             }
             return part;
         }
 
-        static VoxelBox ColumnsOf(VoxelBox box, int quarter)
+        /// <summary>The columns of a strip, or of the two of a quarter, as many rows as asked for.</summary>
+        static VoxelBox ColumnsOf(VoxelBox box, int strip, int rows)
         {
-            box.MinI += Half * (quarter & 1);
-            box.MaxI = Math.Min(box.MaxI, box.MinI + Half - 1);
-            box.MinJ += Half * (quarter >> 1);
-            box.MaxJ = Math.Min(box.MaxJ, box.MinJ + Half - 1);
+            box.MinI += BrickPart.FirstColumnOf(strip);
+            box.MaxI = Math.Min(box.MaxI, box.MinI + BrickPart.StripColumns - 1);
+            box.MinJ += BrickPart.FirstRowOf(strip);
+            box.MaxJ = Math.Min(box.MaxJ, box.MinJ + rows - 1);
             return box;
         }
 

@@ -9,14 +9,14 @@ namespace AnatomyCarve.Tests.Carving
     public sealed class BrickPartTests
     {
         [Test]
-        public void With_PlacesOfQuarters_RoundsOutwardsToSteps()
+        public void With_PlacesOfStrips_RoundsOutwardsToSteps()
         {
-            BrickPart part = BrickPart.None.With(0, 1, 4, BrickPart.NormalsStep).With(3, 3, 3, BrickPart.OpacityStep).With(1, 5, 2, BrickPart.OpacityStep);
-            Assert.That(part.Packed, Is.EqualTo(0x40000060u));
-            Assert.That(Enumerable.Range(0, 8).Where(k => part.Holds(3, 3, k)), Is.EqualTo(new[] { 0, 1, 2, 3, 4, 5 }));
-            Assert.That(Enumerable.Range(0, 8).Where(k => part.Holds(4, 4, k)), Is.EqualTo(new[] { 0, 1, 2, 3 }));
-            Assert.That(part.Holds(4, 0, 3), Is.False);
-            Assert.That(part.With(3, 1, 0, BrickPart.OpacityStep).Packed, Is.EqualTo(0x60u));
+            BrickPart part = BrickPart.None.With(0, 1, 4, BrickPart.NormalsStep).With(7, 3, 3, BrickPart.OpacityStep).With(2, 5, 2, BrickPart.OpacityStep);
+            Assert.That(part.Packed, Is.EqualTo(0x7000000Bu));
+            Assert.That(Enumerable.Range(0, 8).Where(k => part.Holds(3, 1, k)), Is.EqualTo(new[] { 0, 1, 2, 3, 4, 5 }));
+            Assert.That(Enumerable.Range(0, 8).Where(k => part.Holds(4, 6, k)), Is.EqualTo(new[] { 0, 1, 2, 3 }));
+            Assert.That(part.Holds(3, 2, 3) || part.Holds(4, 0, 3) || part.Holds(4, 5, 3) || part.Holds(3, 6, 3), Is.False);
+            Assert.That(part.With(7, 1, 0, BrickPart.OpacityStep).Packed, Is.EqualTo(0xBu));
         }
 
         [Test]
@@ -26,8 +26,8 @@ namespace AnatomyCarve.Tests.Carving
             for (int n = 0; n < 200; n++)
             {
                 BrickPart part = n == 0 ? BrickPart.Whole : BrickPart.None;
-                for (int quarter = 0; n > 0 && quarter < BrickPart.Quarters; quarter++)
-                    part = part.With(quarter, random.Next(8), random.Next(8), BrickPart.NormalsStep);
+                for (int strip = 0; n > 0 && strip < BrickPart.Strips; strip++)
+                    part = part.With(strip, random.Next(8), random.Next(8), BrickPart.NormalsStep);
                 int sizeI = random.Next(1, 9), sizeJ = random.Next(1, 9), sizeK = random.Next(1, 9), expected = 0;
                 for (int k = 0; k < sizeK; k++)
                     for (int j = 0; j < sizeJ; j++)
@@ -41,7 +41,7 @@ namespace AnatomyCarve.Tests.Carving
         [Test]
         public void With_WhatDoesNotExist_IsRefused()
         {
-            Assert.That(() => BrickPart.None.With(4, 0, 1, 4), Throws.InstanceOf<ArgumentOutOfRangeException>());
+            Assert.That(() => BrickPart.None.With(8, 0, 1, 4), Throws.InstanceOf<ArgumentOutOfRangeException>());
             Assert.That(() => BrickPart.None.With(0, 0, 8, 4), Throws.InstanceOf<ArgumentOutOfRangeException>());
             Assert.That(() => BrickPart.None.With(0, 0, 1, 3), Throws.InstanceOf<ArgumentOutOfRangeException>());
         }

@@ -15,8 +15,8 @@ namespace AnatomyCarve.Tests.Kernels
     /// </summary>
     sealed class KernelRig : IDisposable
     {
-        /// <summary>A brick's part in the packing of <c>_Bricks</c>: of all four quarters of its columns the places 0 to 7.</summary>
-        public const uint WholeBrick = 0x80808080u;
+        /// <summary>A brick's part in the packing of <c>_Bricks</c>: of all eight strips of its columns the places 0 to 7.</summary>
+        public const uint WholeBrick = 0xFFFFFFFFu;
 
         readonly ComputeShader shader;
         readonly int kernel;
@@ -87,6 +87,25 @@ namespace AnatomyCarve.Tests.Kernels
             texture.Apply(false, false);
             shader.SetTexture(kernel, name, texture);
         }
+
+        /// <summary>Opacities as the rig's layout has them.</summary>
+        public void SetOpacities(string name, KernelGrid grid, byte[] codes)
+        {
+            if (IsPortable)
+                SetPacked(name, grid, codes);
+            else
+                SetVolume(name, GraphicsFormat.R8_UNorm, grid, codes);
+        }
+
+        /// <summary>Where a kernel writes a byte (opacities) or two (normals) for each voxel, as the rig's layout has them.</summary>
+        public RenderTexture BytesTarget(string name, KernelGrid grid, int bytesPerVoxel) =>
+            IsPortable ? PackedTarget(name, grid, bytesPerVoxel) : VolumeTarget(name, bytesPerVoxel == 1 ? GraphicsFormat.R8_UNorm : GraphicsFormat.R8G8_UNorm, grid);
+
+        /// <summary>What it wrote, voxel by voxel.</summary>
+        public byte[] ReadBytes(RenderTexture target, KernelGrid grid, int bytesPerVoxel) =>
+            IsPortable ? Unpack(Read<uint>(target), grid, bytesPerVoxel) : Read<byte>(target);
+
+        bool IsPortable => Array.IndexOf(keywords, Layout(true)) >= 0;
 
         /// <summary>A 3D texture of 32-bit whole numbers, of any size.</summary>
         public void SetTexels(string name, int width, int height, int depth, uint[] texels)

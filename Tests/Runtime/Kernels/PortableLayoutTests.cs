@@ -28,7 +28,7 @@ namespace AnatomyCarve.Tests.Kernels
                 using (KernelRig rig = KernelRig.ClipVoxels(portable))
                 {
                     carve.Bind(rig);
-                    return Opacities(rig, "_OpacityOut", carve.Grid, portable);
+                    return Written(rig, "_OpacityOut", carve.Grid, 1);
                 }
             }
             byte[] compact = Run(false);
@@ -48,8 +48,8 @@ namespace AnatomyCarve.Tests.Kernels
                 {
                     rig.Set(grid);
                     rig.Set("_AntiAlias", new Vector4(0.0625f, 0.125f, 0.06f, 1f));
-                    SetOpacities(rig, "_Opacity", grid, codes, portable);
-                    return Opacities(rig, "_OpacityAAOut", grid, portable);
+                    rig.SetOpacities("_Opacity", grid, codes);
+                    return Written(rig, "_OpacityAAOut", grid, 1);
                 }
             }
             byte[] compact = Run(false);
@@ -69,10 +69,8 @@ namespace AnatomyCarve.Tests.Kernels
                 {
                     rig.Set(grid);
                     rig.SetUncarved(grid);
-                    SetOpacities(rig, "_OpacityAA", grid, codes, portable);
-                    RenderTexture target = portable ? rig.PackedTarget("_NormalsOut", grid, 2) : rig.VolumeTarget("_NormalsOut", GraphicsFormat.R8G8_UNorm, grid);
-                    rig.DispatchBricks(grid);
-                    return portable ? KernelRig.Unpack(KernelRig.Read<uint>(target), grid, 2) : KernelRig.Read<byte>(target);
+                    rig.SetOpacities("_OpacityAA", grid, codes);
+                    return Written(rig, "_NormalsOut", grid, 2);
                 }
             }
             byte[] compact = Run(false);
@@ -109,19 +107,11 @@ namespace AnatomyCarve.Tests.Kernels
             Assert.That(RayPicture.Render(scene, GraphicsFormat.R32_UInt).Colors, Is.EqualTo(exact.Colors));
         }
 
-        static void SetOpacities(KernelRig rig, string name, KernelGrid grid, byte[] codes, bool portable)
+        static byte[] Written(KernelRig rig, string name, KernelGrid grid, int bytesPerVoxel)
         {
-            if (portable)
-                rig.SetPacked(name, grid, codes);
-            else
-                rig.SetVolume(name, GraphicsFormat.R8_UNorm, grid, codes);
-        }
-
-        static byte[] Opacities(KernelRig rig, string name, KernelGrid grid, bool portable)
-        {
-            RenderTexture target = portable ? rig.PackedTarget(name, grid, 1) : rig.VolumeTarget(name, GraphicsFormat.R8_UNorm, grid);
+            RenderTexture target = rig.BytesTarget(name, grid, bytesPerVoxel);
             rig.DispatchBricks(grid);
-            return portable ? KernelRig.Unpack(KernelRig.Read<uint>(target), grid, 1) : KernelRig.Read<byte>(target);
+            return rig.ReadBytes(target, grid, bytesPerVoxel);
         }
     }
 }

@@ -31,8 +31,9 @@ namespace AnatomyCarve.Tests.Kernels
             Assert.That(Define(Read("SobelNormals.compute"), "SOBEL_REACH"), Is.EqualTo(CarvingReach.SobelVoxels));
             Assert.That(Define(Read("Bricks.hlsl"), "OPACITY_STEP"), Is.EqualTo(BrickPart.OpacityStep));
             Assert.That(Define(Read("Bricks.hlsl"), "NORMALS_STEP"), Is.EqualTo(BrickPart.NormalsStep));
-            Assert.That(Define(Read("Bricks.hlsl"), "QUARTER_SIZE"), Is.EqualTo(BrickPart.QuarterSize));
-            Assert.That(Define(Read("Bricks.hlsl"), "QUARTERS"), Is.EqualTo(BrickPart.Quarters));
+            Assert.That(Define(Read("Bricks.hlsl"), "STRIP_COLUMNS"), Is.EqualTo(BrickPart.StripColumns));
+            Assert.That(Define(Read("Bricks.hlsl"), "STRIP_ROWS"), Is.EqualTo(BrickPart.StripRows));
+            Assert.That(Define(Read("Bricks.hlsl"), "STRIPS"), Is.EqualTo(BrickPart.Strips));
             Assert.That(Regex.Match(Read("OpacityTile.hlsl"), @"TILE_SIZE \(BRICK_SIZE \+ (\d+)\)").Groups[1].Value, Is.EqualTo((2 * CarvingReach.AntiAliasVoxels).ToString()));
             string surface = Regex.Match(Read("ClipSpheres.hlsl"), @"SURFACE_REACH = ([0-9.]+);").Groups[1].Value;
             Assert.That(double.Parse(surface, System.Globalization.CultureInfo.InvariantCulture), Is.EqualTo(CarvingReach.SurfaceExtents));
