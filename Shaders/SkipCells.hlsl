@@ -11,7 +11,7 @@
 
 #define CELL_SIZE 4
 #define CELL_SHIFT 2 // its logarithm
-#define FARTHEST_CELL 15 // distances in cells are cut off here
+#define FARTHEST_CELL 7 // distances in cells are cut off here: the longer they are, the more of them an edit changes
 #define CELLS_PER_TEXEL 4
 #define TEXEL_SHIFT 2
 

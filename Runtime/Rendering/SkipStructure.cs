@@ -9,13 +9,13 @@ using UnityEngine.Rendering;
 namespace AnatomyCarve
 {
     /// <summary>
-    /// By how many cells of 4 x 4 x 4 voxels rays may skip: the distance of each cell to the nearest in which a sample can be above 0, at most 15. Computed from
-    /// what AntiAlias says of each brick. Where bricks change, distances can change up to 15 cells around: its own dirty set is the box of the dirty bricks,
-    /// with one cell more, and then 15 more, on every side.
+    /// By how many cells of 4 x 4 x 4 voxels rays may skip: the distance of each cell to the nearest in which a sample can be above 0, at most 7. Computed from
+    /// what AntiAlias says of each brick. Where bricks change, distances can change up to 7 cells around: its own dirty set is the box of the dirty bricks,
+    /// with one cell more, and then 7 more, on every side.
     /// </summary>
     sealed class SkipStructure : IDisposable
     {
-        const int CellSize = 4, CellsPerBrick = 2, FarthestCell = 15, CellsPerTexel = 4, CellsPerWord = 32, GroupSize = 4;
+        const int CellSize = 4, CellsPerBrick = 2, FarthestCell = 7, CellsPerTexel = 4, CellsPerWord = 32, GroupSize = 4;
 
         static readonly ProfilerMarker Marker = new ProfilerMarker("AnatomyCarve.SkipStructure");
 
