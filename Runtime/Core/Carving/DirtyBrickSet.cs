@@ -133,8 +133,9 @@ namespace AnatomyCarve.Carving
         {
             dirty.Clear();
             parts.Clear();
-            foreach (int brick in candidates.Indices)
+            for (int n = 0; n < candidates.Indices.Count; n++)
             {
+                int brick = candidates.Indices[n];
                 BrickPart part = dirtyParts.Of(brick, haloVoxels, withSurfaces);
                 if (part.IsNone)
                     continue;
