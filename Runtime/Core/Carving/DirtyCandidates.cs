@@ -12,6 +12,7 @@ namespace AnatomyCarve.Carving
         readonly BrickGrid bricks;
         readonly ChangedSpheres changed;
         readonly BrickSet candidates;
+        readonly Func<int, int, int, int, bool> matters, lendsNormals; // a sphere's number and a brick
         IReadOnlyList<ClipSphere> lastBefore, lastAfter;
         CutMode lastCut;
 
@@ -23,6 +24,8 @@ namespace AnatomyCarve.Carving
             this.changed = changed;
             Touched = new BrickSet(bricks.Count);
             candidates = new BrickSet(bricks.Count);
+            matters = (number, x, y, z) => changed.Matters(number, x, y, z, bricks.VoxelsOf(x, y, z));
+            lendsNormals = changed.LendsNormals;
         }
 
         /// <summary>The bricks in which opacities before anti-aliasing can differ.</summary>
@@ -43,7 +46,8 @@ namespace AnatomyCarve.Carving
             if (!isSame)
             {
                 changed.Take(before, after, cut);
-                Touch();
+                Touched.Clear();
+                AddWhere(Touched, matters);
             }
             lastBefore = before;
             lastAfter = after;
@@ -52,13 +56,13 @@ namespace AnatomyCarve.Carving
             if (haloVoxels > 0)
                 Widen(haloVoxels);
             if (withSurfaces)
-                AddSurfaces();
+                AddWhere(candidates, lendsNormals);
             candidates.Sort();
         }
 
-        void Touch()
+        /// <summary>Adds the bricks in a sphere's box for which something holds.</summary>
+        void AddWhere(BrickSet to, Func<int, int, int, int, bool> holds)
         {
-            Touched.Clear();
             for (int n = 0; n < changed.Count; n++)
             {
                 VoxelBox box = changed[n].Box;
@@ -67,8 +71,8 @@ namespace AnatomyCarve.Carving
                         for (int x = box.MinI / Size; x <= box.MaxI / Size; x++)
                         {
                             int brick = bricks.IndexOf(x, y, z);
-                            if (!Touched[brick] && changed.Matters(n, x, y, z, bricks.VoxelsOf(x, y, z)))
-                                Touched.Add(brick);
+                            if (!to[brick] && holds(n, x, y, z))
+                                to.Add(brick);
                         }
             }
         }
@@ -108,22 +112,6 @@ namespace AnatomyCarve.Carving
                 max = Math.Min(max, min + haloVoxels - 1);
             else if (direction > 0)
                 min = Math.Max(min, max - haloVoxels + 1);
-        }
-
-        void AddSurfaces()
-        {
-            for (int n = 0; n < changed.Count; n++)
-            {
-                VoxelBox box = changed[n].Box;
-                for (int z = box.MinK / Size; z <= box.MaxK / Size; z++)
-                    for (int y = box.MinJ / Size; y <= box.MaxJ / Size; y++)
-                        for (int x = box.MinI / Size; x <= box.MaxI / Size; x++)
-                        {
-                            int brick = bricks.IndexOf(x, y, z);
-                            if (!candidates[brick] && changed.LendsNormals(n, x, y, z))
-                                candidates.Add(brick);
-                        }
-            }
         }
     }
 }

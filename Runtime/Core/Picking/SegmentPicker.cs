@@ -6,9 +6,10 @@ namespace AnatomyCarve.Picking
 {
     /// <summary>
     /// The walk of one ray to the first visible segment, in double precision: the CPU twin of <c>Raymarch.hlsl</c>, on the same samples. The part of the
-    /// ray inside the volume's box is cut into steps from where the ray enters (the last step ends where it leaves); each is sampled in its
-    /// middle, and a sample of opacity a per reference length adds 1 - (1 - a)^length. Where accumulated alpha reaches the threshold is looked
-    /// for in parts of steps: from the step before on, or where alpha stays near it, from where that matter begins. Bricks in which nothing is visible are skipped; that changes no result.
+    /// ray inside the volume's box is cut into steps from where the ray enters (the last step ends where it leaves); each is sampled in its middle, and
+    /// a sample of opacity a per reference length adds 1 - (1 - a)^length. Where accumulated alpha reaches the threshold is looked for in parts of
+    /// steps: from the step before on, or where alpha stays near it, from where that matter begins. Bricks in which nothing is visible are skipped; that
+    /// changes no result.
     /// </summary>
     public static class SegmentPicker
     {
