@@ -42,13 +42,14 @@ namespace AnatomyCarve.Carving
             VoxelBox box = bricks.VoxelsOf(x, y, z);
             var own = new KRange(box.MinK, box.MaxK);
             int step = withSurfaces ? BrickPart.NormalsStep : BrickPart.OpacityStep;
+            int together = withSurfaces ? 1 : BrickPart.OpacityStep / BrickPart.StripRows; // strips, which have the same places
             FindTouchedAround(x, y, z);
             if (withSurfaces)
                 ranges.FindLenders(x, y, z);
             BrickPart part = BrickPart.None;
-            for (int strip = 0; strip < BrickPart.Strips; strip += step / BrickPart.StripRows)
+            for (int strip = 0; strip < BrickPart.Strips; strip += together)
             {
-                VoxelBox columns = ColumnsOf(box, strip, step);
+                VoxelBox columns = ColumnsOf(box, strip, together);
                 if (columns.MaxI < columns.MinI || columns.MaxJ < columns.MinJ)
                     continue;
                 KRange range = Near(z, strip >> 1, haloVoxels).And(own);
@@ -57,19 +58,19 @@ namespace AnatomyCarve.Carving
                 if (withSurfaces && !range.Holds(own))
                     range = range.Or(ranges.WithOtherNormals(columns));
                 range = range.And(own);
-                for (int n = strip; n < strip + step / BrickPart.StripRows && !range.IsEmpty; n++)
+                for (int n = strip; n < strip + together && !range.IsEmpty; n++)
                     part = part.With(n, range.First - z * Size, range.Last - z * Size, step);
             }
             return part;
         }
 
-        /// <summary>The columns of a strip, or of the two of a quarter, as many rows as asked for.</summary>
-        static VoxelBox ColumnsOf(VoxelBox box, int strip, int rows)
+        /// <summary>The columns of a strip, or of the two of a quarter.</summary>
+        static VoxelBox ColumnsOf(VoxelBox box, int strip, int strips)
         {
             box.MinI += BrickPart.FirstColumnOf(strip);
             box.MaxI = Math.Min(box.MaxI, box.MinI + BrickPart.StripColumns - 1);
             box.MinJ += BrickPart.FirstRowOf(strip);
-            box.MaxJ = Math.Min(box.MaxJ, box.MinJ + rows - 1);
+            box.MaxJ = Math.Min(box.MaxJ, box.MinJ + strips * BrickPart.StripRows - 1);
             return box;
         }
 

@@ -50,14 +50,32 @@ namespace AnatomyCarve.Picking
         {
             double stepMm = settings.StepReference * field.Volume.Geometry.ReferenceLengthMm;
             double steps = Math.Min((far - near) / stepMm, MaxSteps);
+            Approach approach = MarchUntilReached(field, path, settings, near, stepMm, steps);
+            if (approach.Nearly < 0)
+                return SegmentHit.None;
+            double end = Math.Min(Math.Max(approach.Nearly, approach.Reached) + 1 + FurtherSteps, steps);
+            double position = FirstVisiblePosition(
+                field, path, settings, near, stepMm, Math.Max(approach.SearchBegin - 1, 0), end, approach.SearchAlpha, out double sampled);
+            if (position < 0 && approach.Reached < 0)
+                return SegmentHit.None;
+            if (position < 0)
+            {
+                position = Math.Min(approach.Reached + 1, steps);
+                sampled = 0.5 * (approach.Reached + position);
+            }
+            return HitAt(field, ray, path, near + position * stepMm, near + sampled * stepMm);
+        }
+
+        /// <summary>Goes by whole steps until alpha reaches the threshold, or the ray ends.</summary>
+        static Approach MarchUntilReached(CarvedField field, in IndexRay path, RaySettings settings, double near, double stepMm, double steps)
+        {
+            var approach = new Approach { Nearly = -1, Reached = -1 };
             double alpha = 0;
             double beforeLast = 0; // alpha before the last step but one
             double lastSeen = -2;
-            double nearly = -1, reached = -1; // the steps in which alpha comes near the threshold, and reaches it
             double matterBegin = 0, matterAlpha = 0; // the step where the matter begins that the ray is in; alpha there
-            double searchBegin = 0, searchAlpha = 0; // where the parts of steps begin; alpha there
             double n = 0;
-            while (n < steps && alpha < settings.OpaqueAlpha && reached < 0)
+            while (n < steps && alpha < settings.OpaqueAlpha && approach.Reached < 0)
             {
                 double end = Math.Min(n + 1, steps);
                 VectorMm index = path.At(near + 0.5 * (n + end) * stepMm);
@@ -74,31 +92,22 @@ namespace AnatomyCarve.Picking
                     if (lastSeen != n - 1)
                         (beforeLast, matterBegin, matterAlpha) = (before, n, before); // the step before was empty
                     alpha = before + (1 - before) * (1 - Math.Exp(LogPassing(opacity, (end - n) * settings.StepReference)));
-                    if (alpha >= settings.FirstVisibleAlpha)
-                        reached = n;
-                    if (nearly < 0 ? alpha >= Nearly * settings.FirstVisibleAlpha : reached >= 0 && n <= nearly + 1)
+                    bool isReached = alpha >= settings.FirstVisibleAlpha;
+                    if (isReached)
+                        approach.Reached = n;
+                    if (approach.Nearly < 0 ? alpha >= Nearly * settings.FirstVisibleAlpha : isReached && n <= approach.Nearly + 1)
                     {
-                        nearly = n;
-                        (searchBegin, searchAlpha) = reached >= 0 || n > matterBegin + FurtherSteps ? (n, beforeLast) : (matterBegin, matterAlpha);
+                        bool fromHere = isReached || n > matterBegin + FurtherSteps;
+                        approach.Nearly = n;
+                        approach.SearchBegin = fromHere ? n : matterBegin;
+                        approach.SearchAlpha = fromHere ? beforeLast : matterAlpha;
                     }
                     beforeLast = before;
                     lastSeen = n;
                 }
                 n++;
             }
-            if (nearly < 0)
-                return SegmentHit.None;
-            double position = FirstVisiblePosition(
-                field, path, settings, near, stepMm, Math.Max(searchBegin - 1, 0), Math.Min(Math.Max(nearly, reached) + 1 + FurtherSteps, steps), searchAlpha,
-                out double sampled);
-            if (position < 0 && reached < 0)
-                return SegmentHit.None;
-            if (position < 0)
-            {
-                position = Math.Min(reached + 1, steps);
-                sampled = 0.5 * (reached + position);
-            }
-            return HitAt(field, ray, path, near + position * stepMm, near + sampled * stepMm);
+            return approach;
         }
 
         /// <summary>
@@ -138,6 +147,16 @@ namespace AnatomyCarve.Picking
                 segment = field.SegmentAt(sample.X, sample.Y, sample.Z);
             }
             return new SegmentHit(segment, ray.At(distance), distance);
+        }
+
+        /// <summary>How alpha comes to the threshold, by whole steps.</summary>
+        struct Approach
+        {
+            /// <summary>The steps in which it comes near, and reaches it; -1 = it does not.</summary>
+            public double Nearly, Reached;
+
+            /// <summary>The step from whose predecessor on the parts of steps are added up, and alpha there.</summary>
+            public double SearchBegin, SearchAlpha;
         }
     }
 }

@@ -6,6 +6,7 @@ using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Text.RegularExpressions;
 using AnatomyCarve.Carving;
+using AnatomyCarve.Picking;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -35,8 +36,15 @@ namespace AnatomyCarve.Tests.Kernels
             Assert.That(Define(Read("Bricks.hlsl"), "STRIP_ROWS"), Is.EqualTo(BrickPart.StripRows));
             Assert.That(Define(Read("Bricks.hlsl"), "STRIPS"), Is.EqualTo(BrickPart.Strips));
             Assert.That(Regex.Match(Read("OpacityTile.hlsl"), @"TILE_SIZE \(BRICK_SIZE \+ (\d+)\)").Groups[1].Value, Is.EqualTo((2 * CarvingReach.AntiAliasVoxels).ToString()));
-            string surface = Regex.Match(Read("ClipSpheres.hlsl"), @"SURFACE_REACH = ([0-9.]+);").Groups[1].Value;
-            Assert.That(double.Parse(surface, System.Globalization.CultureInfo.InvariantCulture), Is.EqualTo(CarvingReach.SurfaceExtents));
+            Assert.That(Number(Read("ClipSpheres.hlsl"), "SURFACE_REACH"), Is.EqualTo(CarvingReach.SurfaceExtents));
+        }
+
+        [Test]
+        public void FirstVisiblePoint_IsLookedForInTheSamePlacesInHlslAndCSharp()
+        {
+            object Picker(string name) => typeof(SegmentPicker).GetField(name, BindingFlags.Static | BindingFlags.NonPublic).GetValue(null);
+            Assert.That(Number(Read("Raymarch.hlsl"), "NEARLY"), Is.EqualTo(Picker("Nearly")));
+            Assert.That(Number(Read("Raymarch.hlsl"), "FURTHER_STEPS"), Is.EqualTo(Picker("FurtherSteps")));
         }
 
         [Test]
@@ -122,6 +130,8 @@ namespace AnatomyCarve.Tests.Kernels
             (int)Package.GetType("AnatomyCarve." + type, true).GetField(name, BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic).GetValue(null);
 
         static int Define(string text, string name) => int.Parse(Regex.Match(text, @"#define " + name + @" (\d+)").Groups[1].Value, System.Globalization.CultureInfo.InvariantCulture);
+
+        static double Number(string text, string name) => double.Parse(Regex.Match(text, name + @" = ([0-9.]+)").Groups[1].Value, System.Globalization.CultureInfo.InvariantCulture);
 
         /// <summary>Type and name of each member of a struct or cbuffer.</summary>
         static List<string[]> Members(string text, string kind, string name)
