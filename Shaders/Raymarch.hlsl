@@ -23,6 +23,10 @@
 // (NEARLY of it) and reaches it neither with this step nor the next, as on rays that graze a surface, the parts begin where this matter begins (if that is within
 // FURTHER_STEPS): so the finer sum alone decides whether the threshold is reached here or on a surface behind. What the steps reach and the parts do not within
 // FURTHER_STEPS is taken to be at the end of the step.
+//
+// Voxels and filters make a ramp of an edge, and alpha reaches the threshold only far up it. The depth is that of the edge: where on the way to the first visible
+// point opacity last rises through half of the matter's own (its highest from where alpha comes near the threshold to PLATEAU behind, as far as SHADED_ALPHA), and
+// from there as far as this opacity needs to reach the threshold; at most EDGE_REACH before that point. Without an edge there it is that point's.
 
 #ifndef PORTABLE_LAYOUT
 SamplerState sampler_LinearClamp;
@@ -34,6 +38,8 @@ static const float NO_DEPTH = asfloat(0x7F800000); // +infinity
 static const float SHADED_WEIGHT = 1.0 / 128.0, SHADED_ALPHA = 1.0 - 1.0 / 512.0;
 static const uint MOST_SHADED = 7u;
 static const float NEARLY = 0.9, FURTHER_STEPS = 32.0; // steps
+static const float EDGE_REACH = 0.5, PLATEAU = 2.5; // reference lengths
+static const float ONE_CODE = 1.0 / 255.0; // opacities nearer to 1 are taken to stop all light, the nearer the more so
 
 struct RayResult
 {
@@ -128,26 +134,33 @@ uint StepBeyondCells(StepRay ray, uint n, float rayEnd, uint lastStep, out bool 
 }
 
 // Where alpha, accumulated from position begin on (in steps) where it is alpha, reaches _March.z, and the middle of the part in which it does; position -1 if
-// it does not before end.
-float FirstVisiblePosition(StepRay ray, float begin, float end, float alpha, inout float middle, inout uint samples)
+// it does not before end. edge: where, from EDGE_REACH before begin on, opacity last rises to level before that; -1 where it is lower there.
+float FirstVisiblePosition(StepRay ray, float begin, float end, float alpha, float level, out float edge, inout float middle, inout uint samples)
 {
     float wanted = log2((1.0 - _March.z) / (1.0 - alpha)); // the log of the light that is to pass
     float passing = 0.0;
     float position = -1.0;
+    float earlier = 0.0, earlierMiddle = 0.0; // opacity of the part before, and where it was sampled
+    float first = max(begin + 0.5 - max(ceil(EDGE_REACH / _March.x), 1.0), 0.0);
+    edge = first;
     [loop]
-    for (float from = begin; from < end; from += 1.0 / _Skip.y)
+    for (float from = first; from < end; from += 1.0 / _Skip.y)
     {
-        float to = min(from + 1.0 / _Skip.y, end);
-        float opacity = OpacityOnRay(ray, 0.5 * (from + to));
+        float to = min(from + 1.0 / _Skip.y, end), here = 0.5 * (from + to);
+        float opacity = OpacityOnRay(ray, here);
         samples++;
-        float here = opacity < 1.0 ? (to - from) * _March.x * log2(1.0 - opacity) : -1e30;
-        if (passing + here <= wanted)
+        float rise = here - (opacity - level) / max(opacity - earlier, 1e-6) * (here - earlierMiddle);
+        edge = opacity < level ? -1.0 : edge < 0.0 ? rise : edge;
+        earlier = opacity;
+        earlierMiddle = here;
+        float passed = from < begin ? 0.0 : opacity < 1.0 ? (to - from) * _March.x * log2(1.0 - opacity) : -1e30;
+        if (from >= begin && passing + passed <= wanted)
         {
-            position = from + saturate((wanted - passing) / min(here, -1e-30)) * (to - from);
-            middle = 0.5 * (from + to);
+            position = from + saturate((wanted - passing) / min(passed, -1e-30)) * (to - from);
+            middle = here;
             break;
         }
-        passing += here;
+        passing += passed;
     }
     return position;
 }
@@ -197,6 +210,7 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT, flo
         float nearlyVisible = -1.0, visible = -1.0; // the steps in which alpha comes near _March.z, and reaches it
         float2 matter = float2(0.0, 0.0); // the step where the matter begins that the ray is in; alpha there
         float2 search = float2(0.0, 0.0); // where the parts begin; alpha there
+        float peak = 0.0;       // the highest opacity about where alpha reaches _March.z
         float earlier = 0.0;    // alpha where the last step that was not empty begins
         uint last = stepCount;  // that step
         uint sampleUntil = _Skip.x > 0.0 ? 0u : stepCount; // in occupied cells up to here
@@ -242,6 +256,8 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT, flo
                         nearlyVisible = begin;
                         search = isReached || begin > matter.x + FURTHER_STEPS ? float2(begin, earlier) : matter;
                     }
+                    bool isBehindEdge = nearlyVisible >= 0.0 && before < SHADED_ALPHA && begin <= max(nearlyVisible, visible) + PLATEAU / _March.x;
+                    peak = isBehindEdge ? max(peak, opacity) : peak;
                     earlier = before;
                     last = n;
                 }
@@ -255,12 +271,19 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT, flo
         {
             float stepEnd = min(visible + 1.0, steps), sampled = 0.5 * (visible + stepEnd);
             float searchEnd = min(max(nearlyVisible, visible) + 1.0 + FURTHER_STEPS, steps);
-            float position = FirstVisiblePosition(ray, max(search.x - 1.0, 0.0), searchEnd, search.y, sampled, result.samples);
+            float behind = OpacityOnRay(ray, min(max(nearlyVisible, visible) + 1.0 + PLATEAU / _March.x, steps)); // where rays may have ended before
+            result.samples++;
+            peak = max(peak, behind);
+            float edge;
+            float position = FirstVisiblePosition(ray, max(search.x - 1.0, 0.0), searchEnd, search.y, 0.5 * peak, edge, sampled, result.samples);
+            float thickness = log2(1.0 - _March.z) / log2(max(1.0 - peak, ONE_CODE)) * saturate((1.0 - peak) / ONE_CODE); // of matter of this opacity
+            float depth = edge < 0.0 ? position : min(position, max(edge, position - EDGE_REACH / _March.x) + thickness / _March.x);
+            depth = position < 0.0 ? stepEnd : depth;
             position = position < 0.0 && visible >= 0.0 ? stepEnd : position;
             [loop]
             for (uint look = 0u; look < 2u && position >= 0.0 && result.segment == NO_SEGMENT; look++) // what was sampled has matter around, should the place have none
                 result.segment = SegmentAround(int3(floor(ray.first + (look == 0u ? position : sampled) * ray.perStep)));
-            result.depthMm = position >= 0.0 ? (nearT + position * stepT) * mmPerT : NO_DEPTH;
+            result.depthMm = position >= 0.0 ? (nearT + depth * stepT) * mmPerT : NO_DEPTH;
         }
     }
     return result;

@@ -35,7 +35,10 @@ namespace AnatomyCarve.Picking
         /// <summary>Dense segment index; -1 without a hit.</summary>
         public int Segment { get; }
 
-        /// <summary>Where accumulated alpha reaches the threshold, LPS millimetres; meaningless without a hit.</summary>
+        /// <summary>
+        /// Where the surface is seen, LPS millimetres; meaningless without a hit. That is where accumulated alpha reaches the threshold, or, as voxels make a ramp of an
+        /// edge and alpha reaches the threshold only far up it, where it would with a sharp edge in the ramp's middle, up to half a reference length before.
+        /// </summary>
         public PointMm PositionLps { get; }
 
         /// <summary>Millimetres along the ray from its origin; infinite without a hit.</summary>

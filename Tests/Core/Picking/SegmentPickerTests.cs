@@ -73,25 +73,48 @@ namespace AnatomyCarve.Tests.Picking
         }
 
         /// <summary>
-        /// In front of an opaque slab opacity rises linearly from 0 to 1 over a voxel: alpha reaches 0.5 where (1 - u) ln(1 - u) + u = ln 2, at u = 0.817.
+        /// Opacity rises linearly over a voxel: alpha reaches 0.5 far up the ramp, but the slab's edge is in its middle, and matter of less than opacity 1
+        /// reaches 0.5 so far behind the edge as if that were sharp.
         /// </summary>
         [Test]
-        public void Pick_OpaqueSlabWithFineSteps_ConvergesToTheIntegral()
+        public void Pick_Slab_HitsWhereASharpEdgeWouldBeHit()
         {
-            double low = 0, high = 1;
-            for (int n = 0; n < 60; n++)
+            double worst = 0;
+            foreach (double opacity in new[] { 1, 0.98, 0.95, 0.9 })
             {
-                double u = 0.5 * (low + high);
-                if ((1 - u) * Math.Log(1 - u) + u < Math.Log(2))
-                    low = u;
-                else
-                    high = u;
+                var table = OpacityTransferFunction.Parse(FormattableString.Invariant($"0:0,100:{opacity}"));
+                var field = new CarvedField(Slab(10, 20));
+                field.Update(new ClipSphere[0], table, field.Volume.Segments, CutMode.Binary, AntiAliasSettings.Off);
+                double stored = Math.Round(255 * opacity) / 255, sharp = 9.5 + (stored < 1 ? Math.Log(0.5) / Math.Log(1 - stored) : 0);
+                foreach (double step in new[] { 1, 0.5, 0.25, 1.0 / 16 })
+                {
+                    for (int n = 0; n < 16; n++)
+                    {
+                        SegmentHit hit = SegmentPicker.Pick(field, new RayMm(new PointMm(15.3, 14.8, -60), new VectorMm(0, 0, 2)), new RaySettings { StepReference = step },
+                            double.PositiveInfinity, 50 + n / 16.0);
+                        Assert.That(hit.Segment, Is.EqualTo(1));
+                        worst = Math.Max(worst, Math.Abs(hit.PositionLps.Z - sharp));
+                    }
+                }
             }
-            CarvedField field = Phantoms.Field(Slab(10, 20), CutMode.Binary, AntiAliasSettings.Off);
-            var settings = new RaySettings { StepReference = 1.0 / 512 };
-            SegmentHit hit = SegmentPicker.Pick(field, new RayMm(new PointMm(15.3, 14.8, -60), new VectorMm(0, 0, 2)), settings);
-            Assert.That(hit.PositionLps.Z, Is.EqualTo(9 + low).Within(1e-3));
-            Assert.That(hit.Segment, Is.EqualTo(1));
+            TestContext.WriteLine(FormattableString.Invariant($"{worst:g3} voxel"));
+            Assert.That(worst, Is.LessThanOrEqualTo(1e-9));
+        }
+
+        /// <summary>Alpha of translucent matter reaches 0.5 far behind its edge, wherever that is: no edge moves the hit.</summary>
+        [Test]
+        public void Pick_TranslucentSlabWithFineSteps_ConvergesToTheIntegral()
+        {
+            CarvedField field = new CarvedField(Slab(10, 30));
+            field.Update(new ClipSphere[0], OpacityTransferFunction.Parse("0:0,100:0.2"), field.Volume.Segments, CutMode.Binary, AntiAliasSettings.Off);
+            double passed = 0, z = 9; // of ln 2
+            while (passed < Math.Log(2))
+            {
+                passed -= 1e-4 * Math.Log(1 - 0.2 * Math.Min(1, z - 9));
+                z += 1e-4;
+            }
+            SegmentHit hit = SegmentPicker.Pick(field, new RayMm(new PointMm(15.3, 14.8, -60), new VectorMm(0, 0, 2)), new RaySettings { StepReference = 1.0 / 512 });
+            Assert.That(hit.PositionLps.Z, Is.EqualTo(z).Within(1e-3));
         }
 
         /// <summary>
@@ -275,11 +298,11 @@ namespace AnatomyCarve.Tests.Picking
             }
             double step = settings.StepReference * geometry.ReferenceLengthMm;
             double Passing(double from, double to) => Math.Pow(1 - Sample(field, o + 0.5 * (from + to) * d), (to - from) / geometry.ReferenceLengthMm);
-            SegmentHit HitAt(double distance, double sampleAt)
+            SegmentHit HitAt(double distance, double sampleAt, double depth)
             {
                 PointMm there = o + distance * d, sample = o + sampleAt * d;
                 int segment = field.SegmentAt(there.X, there.Y, there.Z);
-                return new SegmentHit(segment >= 0 ? segment : field.SegmentAt(sample.X, sample.Y, sample.Z), ray.At(distance), distance);
+                return new SegmentHit(segment >= 0 ? segment : field.SegmentAt(sample.X, sample.Y, sample.Z), ray.At(depth), depth);
             }
             var light = new List<double> { 1 }; // that comes to each step
             while (near + (light.Count - 1) * step < far && 1 - light[light.Count - 1] < settings.OpaqueAlpha)
@@ -302,18 +325,42 @@ namespace AnatomyCarve.Tests.Picking
             }
             int first = Math.Max(around - 1, 0);
             double passing = light[first], furthest = Math.Min(near + (Math.Max(nearly, reached) + 33) * step, far);
+            double OpacityAt(double place) => Sample(field, o + (near + place * step) * d); // in steps
+            double length = settings.StepReference, plateau = 2.5 / length, last = Math.Max(nearly, reached);
+            double peak = OpacityAt(Math.Min(last + 1 + plateau, (far - near) / step));
+            bool IsNear(int n) => n <= nearly + plateau || (reached >= 0 && n >= reached && n <= reached + plateau);
+            for (int n = nearly; n < light.Count - 1 && 1 - light[n] < RaySettings.DefaultOpaqueAlpha; n++)
+                peak = !IsNear(n) ? peak : Math.Max(peak, OpacityAt(0.5 * (n + Math.Min(n + 1, (far - near) / step))));
+            double thickness = Math.Log(1 - settings.FirstVisibleAlpha) / Math.Log(Math.Max(1 - peak, 1 / 255.0)) * Math.Min(255 * (1 - peak), 1);
+            double DepthOf(double position, double sampled)
+            {
+                double begin = Math.Max(first + 0.5 - Math.Max(Math.Ceiling(0.5 / length), 1), 0), edge = -1, before = 0, at = begin;
+                for (double place = begin + 0.125; place < sampled + 1e-9; place += 0.25)
+                {
+                    double middle = Math.Abs(place - sampled) < 0.13 ? sampled : place, opacity = OpacityAt(middle); // the last one may be short
+                    if (opacity < 0.5 * peak)
+                        edge = double.NaN;
+                    else if (double.IsNaN(edge))
+                        edge = at + (0.5 * peak - before) / (opacity - before) * (middle - at);
+                    else if (edge < 0)
+                        edge = begin;
+                    (before, at) = (opacity, middle);
+                }
+                return double.IsNaN(edge) ? position : Math.Min(position, Math.Max(edge, position - 0.5 / length) + thickness / length);
+            }
             for (double from = near + first * step; from < furthest - 1e-12 * furthest; from += step / 4)
             {
                 double to = Math.Min(from + step / 4, furthest), after = passing * Passing(from, to);
                 if (after <= wanted)
                 {
                     double share = after > 0 ? Math.Log(wanted / passing) / Math.Log(after / passing) : 0;
-                    return HitAt(from + Math.Max(0, Math.Min(1, share)) * (to - from), 0.5 * (from + to));
+                    double found = from + Math.Max(0, Math.Min(1, share)) * (to - from), middle = 0.5 * (from + to);
+                    return HitAt(found, middle, near + step * DepthOf((found - near) / step, (middle - near) / step));
                 }
                 passing = after;
             }
             double reachedEnd = Math.Min(near + (reached + 1) * step, far);
-            return reached < 0 ? SegmentHit.None : HitAt(reachedEnd, 0.5 * (near + reached * step + reachedEnd));
+            return reached < 0 ? SegmentHit.None : HitAt(reachedEnd, 0.5 * (near + reached * step + reachedEnd), reachedEnd);
         }
 
         static double Sample(CarvedField field, PointMm index)

@@ -275,7 +275,7 @@ namespace AnatomyCarve.Tests.Kernels
                     else if (c == 3 || !ray.ColorUndecided)
                         worstColor = Math.Max(worstColor, Math.Abs(value - ray.Color[c]));
                 }
-                if (ray.ColorUndecided || ray.VisibilityUndecided || ray.SegmentUndecided)
+                if (ray.ColorUndecided || ray.VisibilityUndecided || ray.SegmentUndecided || ray.DepthUndecided)
                     undecided++;
                 if (ray.VisibilityUndecided)
                     return;
@@ -287,7 +287,8 @@ namespace AnatomyCarve.Tests.Kernels
                 else if (seen)
                 {
                     visible++;
-                    worstDepth = Math.Max(worstDepth, Math.Abs(picture.DepthsMm[pixel] - ray.DepthMm) / referenceMm);
+                    if (!ray.DepthUndecided)
+                        worstDepth = Math.Max(worstDepth, Math.Abs(picture.DepthsMm[pixel] - ray.DepthMm) / referenceMm);
                     if (!ray.SegmentUndecided && picture.Segments[pixel] != ray.Segment)
                         wrongSegments++;
                 }

@@ -42,9 +42,12 @@ namespace AnatomyCarve.Tests.Kernels
         [Test]
         public void FirstVisiblePoint_IsLookedForInTheSamePlacesInHlslAndCSharp()
         {
-            object Picker(string name) => typeof(SegmentPicker).GetField(name, BindingFlags.Static | BindingFlags.NonPublic).GetValue(null);
+            Type walk = typeof(SegmentPicker).Assembly.GetType("AnatomyCarve.Picking.RayWalk", true);
+            object Picker(string name) => walk.GetField(name, BindingFlags.Static | BindingFlags.NonPublic).GetValue(null);
             Assert.That(Number(Read("Raymarch.hlsl"), "NEARLY"), Is.EqualTo(Picker("Nearly")));
             Assert.That(Number(Read("Raymarch.hlsl"), "FURTHER_STEPS"), Is.EqualTo(Picker("FurtherSteps")));
+            Assert.That(Number(Read("Raymarch.hlsl"), "EDGE_REACH"), Is.EqualTo(Picker("EdgeReach")));
+            Assert.That(Number(Read("Raymarch.hlsl"), "PLATEAU"), Is.EqualTo(Picker("Plateau")));
         }
 
         [Test]

@@ -31,10 +31,10 @@ namespace AnatomyCarve.Tests
 
         public int Undecided { get; private set; }
 
-        /// <summary>Decided rays on which the picture shows another segment than the picker finds, none instead of one, or one instead of none.</summary>
+        /// <summary>Rays on which the picture shows another segment than the picker finds, none instead of one, or one instead of none, and no hair's breadth decides.</summary>
         public int Wrong { get; private set; }
 
-        /// <summary>The largest difference in depth, on decided rays.</summary>
+        /// <summary>The largest difference in depth where both have the same segment.</summary>
         public double WorstDepthMm { get; private set; }
 
         public void Compare(PictureData picture, PictureRays rays, Func<RayMm, SegmentHit> pick = null)
@@ -55,24 +55,25 @@ namespace AnatomyCarve.Tests
         {
             Rays++;
             Hits += hit.Hit ? 1 : 0;
-            bool isUndecided = SegmentPicker.Pick(field, ray, early).Hit != SegmentPicker.Pick(field, ray, late).Hit || (hit.Hit && IsTie(hit));
-            if (isUndecided)
+            if (hit.Segment == (shown == PictureData.NoSegment ? -1 : shown))
+                WorstDepthMm = hit.Hit ? Math.Max(WorstDepthMm, Math.Abs(hit.DistanceMm - shownDepthMm)) : WorstDepthMm;
+            else if (IsUndecided(ray, hit))
                 Undecided++;
-            else if (hit.Segment != (shown == PictureData.NoSegment ? -1 : shown))
+            else
                 Wrong++;
-            else if (hit.Hit)
-                WorstDepthMm = Math.Max(WorstDepthMm, Math.Abs(hit.DistanceMm - shownDepthMm));
         }
 
-        bool IsTie(SegmentHit hit)
+        bool IsUndecided(RayMm ray, SegmentHit hit) =>
+            SegmentPicker.Pick(field, ray, early).Hit != SegmentPicker.Pick(field, ray, late).Hit || (hit.Hit && IsTie(ray, hit));
+
+        /// <summary>Whether a ray beside it, a hair's breadth away, meets another segment.</summary>
+        bool IsTie(RayMm ray, SegmentHit hit)
         {
-            PointMm index = field.Volume.Geometry.LpsToIjk.TransformPoint(hit.PositionLps);
             for (int n = 0; n < 8; n++)
             {
-                double x = index.X + ((n & 1) == 0 ? -HairVoxels : HairVoxels);
-                double y = index.Y + ((n & 2) == 0 ? -HairVoxels : HairVoxels);
-                double z = index.Z + ((n & 4) == 0 ? -HairVoxels : HairVoxels);
-                if (field.SegmentAt(x, y, z) != hit.Segment)
+                var hair = new VectorMm((n & 1) == 0 ? -HairVoxels : HairVoxels, (n & 2) == 0 ? -HairVoxels : HairVoxels, (n & 4) == 0 ? -HairVoxels : HairVoxels);
+                var beside = new RayMm(ray.Origin + field.Volume.Geometry.IjkToLps.TransformVector(hair), ray.Direction);
+                if (SegmentPicker.Pick(field, beside, settings).Segment != hit.Segment)
                     return true;
             }
             return false;

@@ -9,10 +9,8 @@ using AnatomyCarve.Volumes;
 namespace AnatomyCarve.Headless.Cli.Bench.Error
 {
     /// <summary>
-    /// P11: the depth of the first hit on a hard edge, in steps. Opacity rises from 0 to 1 from one voxel to the next; rays meet it at all angles up to 55
-    /// degrees from its normal, so that the edge lies anywhere in a step. The true depth is where the transmittance of the interpolated field is 0.5: with
-    /// u = 1 - opacity the optical depth down to u is (u ln u - u + 1) / cosine, in reference lengths, which is solved for u by bisection in double
-    /// precision.
+    /// P11: the depth of the first hit on a hard edge, in steps. Opacity is 0 before a plane and 1 behind it; voxels make a ramp of it. Rays meet it at all
+    /// angles up to 55 degrees from its normal, so that the edge lies anywhere in a step.
     /// </summary>
     sealed class FirstHitDepth : IMeasure
     {
@@ -72,18 +70,8 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
 
         static double TrueDepth(VolumeGeometry geometry, RayMm ray)
         {
-            var startMm = geometry.IjkToLps.TransformPoint(new PointMm(0, 0, Edge)).Z;
-            var cosine = ray.Direction.Z;
-            double low = 0, high = 1; // u
-            for (var n = 0; n < 60; n++)
-            {
-                var u = 0.5 * (low + high);
-                var opticalDepth = (u * Math.Log(u) - u + 1) / cosine;
-                if (opticalDepth > Math.Log(2)) low = u;
-                else high = u;
-            }
-
-            return (startMm + (1 - low) - ray.Origin.Z) / cosine;
+            var edgeMm = geometry.IjkToLps.TransformPoint(new PointMm(0, 0, Edge + 0.5)).Z;
+            return (edgeMm - ray.Origin.Z) / ray.Direction.Z;
         }
     }
 }

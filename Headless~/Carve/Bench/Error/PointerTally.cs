@@ -68,18 +68,17 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
         bool IsUndecided(RayMm ray, SegmentHit hit)
         {
             var (before, after) = (SegmentPicker.Pick(field, ray, early), SegmentPicker.Pick(field, ray, late));
-            return before.Hit != after.Hit || (hit.Hit && IsAtEdge(hit));
+            return before.Hit != after.Hit || (hit.Hit && IsAtEdge(ray, hit));
         }
 
-        bool IsAtEdge(SegmentHit hit)
+        /// <summary>Whether a ray beside it, a hair's breadth away, meets another segment.</summary>
+        bool IsAtEdge(RayMm ray, SegmentHit hit)
         {
-            var index = field.Volume.Geometry.LpsToIjk.TransformPoint(hit.PositionLps);
             for (var n = 0; n < 8; n++)
             {
-                var x = index.X + ((n & 1) == 0 ? -hairVoxels : hairVoxels);
-                var y = index.Y + ((n & 2) == 0 ? -hairVoxels : hairVoxels);
-                var z = index.Z + ((n & 4) == 0 ? -hairVoxels : hairVoxels);
-                if (field.SegmentAt(x, y, z) != hit.Segment) return true;
+                var hair = new VectorMm((n & 1) == 0 ? -hairVoxels : hairVoxels, (n & 2) == 0 ? -hairVoxels : hairVoxels, (n & 4) == 0 ? -hairVoxels : hairVoxels);
+                var beside = new RayMm(ray.Origin + field.Volume.Geometry.IjkToLps.TransformVector(hair), ray.Direction);
+                if (SegmentPicker.Pick(field, beside, settings).Segment != hit.Segment) return true;
             }
 
             return false;

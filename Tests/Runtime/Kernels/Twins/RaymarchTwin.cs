@@ -12,7 +12,7 @@ namespace AnatomyCarve.Tests.Kernels
             public readonly double[] Color = new double[4];
             public double DepthMm = double.PositiveInfinity;
             public int Segment = RayScene.NoSegment;
-            public bool ColorUndecided, VisibilityUndecided, SegmentUndecided;
+            public bool ColorUndecided, VisibilityUndecided, SegmentUndecided, DepthUndecided;
             public int Samples;
             public bool Found; // the first visible point, by the finer sum
         }
@@ -22,6 +22,7 @@ namespace AnatomyCarve.Tests.Kernels
         const double HairWeight = 1e-6;
         const int MostShaded = 7, FurtherSteps = 32; // steps
         const double Nearly = 0.9; // of the threshold
+        const double EdgeReach = 0.5, Plateau = 2.5; // reference lengths
         const double ShadedWeight = 1.0 / 128, ShadedAlpha = 1 - 1.0 / 512;
 
         readonly RayScene scene;
@@ -63,6 +64,7 @@ namespace AnatomyCarve.Tests.Kernels
             double beforeLast = 0, weight = 0, moment = 0;
             int nearly = -1, reached = -1; // the steps in which alpha comes near the threshold, and reaches it
             (int step, double alpha) matter = (-1, 0), search = (0, 0); // where the matter begins that the ray is in; where the finer sum begins
+            double peak = 0; // the highest opacity from where alpha comes near the threshold on
             for (int n = 0; n < steps && ray.Color[3] < scene.OpaqueAlpha; n++)
             {
                 if (n >= until)
@@ -95,6 +97,8 @@ namespace AnatomyCarve.Tests.Kernels
                         nearly = n;
                         search = isReached || n > matter.step + FurtherSteps ? (n, beforeLast) : matter;
                     }
+                    if (nearly >= 0 && before < ShadedAlpha && n <= Math.Max(nearly, reached) + Plateau / scene.Step)
+                        peak = Math.Max(peak, opacity);
                 }
                 else
                 {
@@ -105,7 +109,7 @@ namespace AnatomyCarve.Tests.Kernels
             if (weight > 0)
                 ShadeStretch(ray, start, velocity, near, stepT, moment / weight, weight, toViewer);
             if (nearly >= 0)
-                FindVisible(ray, start, velocity, near, stepT, mmPerT, steps, nearly, reached, search);
+                FindVisible(ray, start, velocity, near, stepT, mmPerT, steps, nearly, reached, search, peak);
             return ray;
         }
 
@@ -119,10 +123,15 @@ namespace AnatomyCarve.Tests.Kernels
         }
 
         void FindVisible(Ray ray, double[] start, double[] velocity, double near, double stepT, double mmPerT, double steps, int nearly, int reached,
-            (int step, double alpha) search)
+            (int step, double alpha) search, double peak)
         {
-            double position = VisiblePosition(ray, start, velocity, near, stepT, Math.Max(search.step - 1, 0),
+            double OpacityAt(double place) => Trilinear(At(start, velocity, near + place * stepT));
+            peak = Math.Max(peak, OpacityAt(Math.Min(Math.Max(nearly, reached) + 1 + Plateau / scene.Step, steps)));
+            double begin = Math.Max(search.step - 1, 0), first = Math.Max(begin + 0.5 - Math.Max(Math.Ceiling(EdgeReach / scene.Step), 1), 0);
+            ray.Samples += 1 + (int)Math.Round(4 * (begin - first));
+            double position = VisiblePosition(ray, start, velocity, near, stepT, begin,
                 Math.Min(Math.Max(nearly, reached) + 1 + FurtherSteps, steps), search.alpha, out double sampled);
+            double depth;
             ray.Found = position >= 0;
             if (!ray.Found && reached < 0)
                 return;
@@ -130,14 +139,45 @@ namespace AnatomyCarve.Tests.Kernels
             {
                 position = Math.Min(reached + 1, steps);
                 sampled = 0.5 * (reached + position);
+                depth = position;
             }
+            else
+            {
+                depth = Edge(ray, OpacityAt, first, position, sampled, peak);
+            }
+            ray.DepthMm = (near + stepT * depth) * mmPerT;
             double t = near + stepT * position;
-            ray.DepthMm = t * mmPerT;
             ray.Segment = SegmentAround(At(start, velocity, t), out ray.SegmentUndecided);
             if (ray.Segment != RayScene.NoSegment)
                 return;
             ray.Segment = SegmentAround(At(start, velocity, near + sampled * stepT), out bool undecided);
             ray.SegmentUndecided |= undecided;
+        }
+
+        /// <summary>
+        /// Goes back from the part where the first visible point was found, quarter by quarter, to where opacity is below half of the peak; from there (or from where
+        /// the quarters begin) it is as far to the depth as the peak's opacity needs to the threshold.
+        /// </summary>
+        double Edge(Ray ray, Func<double, double> opacityAt, double first, double position, double last, double peak)
+        {
+            double later = opacityAt(last);
+            ray.DepthUndecided |= Math.Abs(later - 0.5 * peak) < HairAlpha;
+            if (later < 0.5 * peak)
+                return position;
+            double edge = first, step = last - Math.Floor(4 * last) / 4; // the last part may be short
+            for (double place = Math.Floor(4 * last) / 4 - 0.125; place > first; place -= 0.25)
+            {
+                double opacity = opacityAt(place), distance = step + 0.125;
+                ray.DepthUndecided |= Math.Abs(opacity - 0.5 * peak) < HairAlpha;
+                if (opacity < 0.5 * peak)
+                {
+                    edge = place + (0.5 * peak - opacity) / (later - opacity) * distance;
+                    break;
+                }
+                (later, step) = (opacity, 0.125);
+            }
+            double thickness = Math.Log(1 - scene.VisibleAlpha) / Math.Log(Math.Max(1 - peak, 1 / 255.0)) * Math.Min(255 * (1 - peak), 1);
+            return Math.Min(position, Math.Max(edge, position - EdgeReach / scene.Step) + thickness / scene.Step);
         }
 
         /// <summary>From the beginning of the step before a step on, alpha is accumulated anew in quarters of a step.</summary>

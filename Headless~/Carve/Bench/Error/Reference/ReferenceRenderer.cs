@@ -17,7 +17,9 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error.Reference
         public const double Step = 1.0 / 16;
 
         const double NothingLeft = 1e-8;
-        const double VisibleAlpha = 0.5;
+        const double VisibleAlpha = 0.5, Nearly = 0.9;
+        const double OneCode = 1 / 255.0;
+        const double EdgeReach = 0.5, Plateau = 2.5; // reference lengths
 
         readonly ReferenceField field;
         readonly Rgba[] segmentColors;
@@ -47,6 +49,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error.Reference
             var path = new ReferenceRay(field, ray);
             var (near, far) = path.Crossing(0, double.MaxValue);
             var stepMm = Step * field.Geometry.ReferenceLengthMm;
+            var nearlyMm = double.NaN;
             double red = 0, green = 0, blue = 0, through = 1, depth = double.PositiveInfinity;
             var seen = PictureData.NoSegment;
             for (long n = 0; near + n * stepMm < far && through > NothingLeft; n++)
@@ -64,12 +67,14 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error.Reference
                 red += weight * (color.R * diffuse.R + specular.R);
                 green += weight * (color.G * diffuse.G + specular.G);
                 blue += weight * (color.B * diffuse.B + specular.B);
+                if (double.IsNaN(nearlyMm) && 1 - after >= Nearly * VisibleAlpha) nearlyMm = begin;
                 if (1 - through < VisibleAlpha && 1 - after >= VisibleAlpha)
                 {
                     var share = opacity < 1 ? Math.Clamp(Math.Log((1 - VisibleAlpha) / through) / logPassing, 0, 1) : 0;
                     depth = begin + share * length;
                     var there = path.SegmentAt(depth);
                     seen = (ushort)(there >= 0 ? there : path.SegmentAt(middle));
+                    depth = EdgeBefore(path, nearlyMm, depth, far);
                 }
 
                 through = after;
@@ -78,6 +83,25 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error.Reference
             picture.Colors[pixel] = new Rgba(red, green, blue, 1 - through);
             picture.DepthsMm[pixel] = depth;
             picture.Segments[pixel] = seen;
+        }
+
+        /// <summary>The depth of the edge that makes a point the first visible one.</summary>
+        double EdgeBefore(ReferenceRay path, double nearlyMm, double pointMm, double farMm)
+        {
+            var unit = field.Geometry.ReferenceLengthMm;
+            double peak = 0;
+            for (var at = nearlyMm; at <= Math.Min(pointMm + Plateau * unit, farMm); at += Step * unit) peak = Math.Max(peak, path.OpacityAt(at));
+            var thickness = Math.Log(1 - VisibleAlpha) / Math.Log(Math.Max(1 - peak, OneCode)) * Math.Clamp((1 - peak) / OneCode, 0, 1) * unit;
+            double level = 0.5 * peak, later = path.OpacityAt(pointMm);
+            if (later < level) return pointMm;
+            for (var n = 1; n * Step < EdgeReach; n++)
+            {
+                var opacity = path.OpacityAt(pointMm - n * Step * unit);
+                if (opacity < level) return Math.Min(pointMm, pointMm - (n - (level - opacity) / (later - opacity)) * Step * unit + thickness);
+                later = opacity;
+            }
+
+            return Math.Min(pointMm, pointMm - EdgeReach * unit + thickness);
         }
 
         /// <summary>
