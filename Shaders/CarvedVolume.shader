@@ -24,6 +24,8 @@ Shader "AnatomyCarve/Carved Volume"
         [HideInInspector] _MmToIndex0("Mm to index, row 0", Vector) = (0, 0, 0, 0)
         [HideInInspector] _MmToIndex1("Mm to index, row 1", Vector) = (0, 0, 0, 0)
         [HideInInspector] _MmToIndex2("Mm to index, row 2", Vector) = (0, 0, 0, 0)
+        [HideInInspector] _StoredFirst("First voxel that is stored", Vector) = (0, 0, 0, 0)
+        [HideInInspector] _StoredLast("Last voxel that is stored", Vector) = (0, 0, 0, 0)
         [HideInInspector] _CentreIndex("Centre", Vector) = (0, 0, 0, 0)
         [HideInInspector] _IntensityToLookup("Intensity to lookup", Vector) = (0, 0, 0, 0)
         [HideInInspector] _CarveCounts("Counts", Vector) = (0, 0, 0, 0)

@@ -14,19 +14,20 @@ RWTexture3D<unorm float> OPACITY_TARGET;
 // Called for z = 0..7 of a brick's column in this order, by one thread; voxels beyond the volume are left out. texel: 0 at first.
 void StoreOpacity(int3 column, uint z, float opacity, inout uint texel)
 {
-    int3 voxel = column + int3(0, 0, z);
+    StoredBox box = StoredVoxels();
+    int3 stored = column + int3(0, 0, z) - box.first;
 #ifdef PORTABLE_LAYOUT
-    if (IsInVolume(voxel))
+    if (IsStored(box, stored))
         texel |= (uint)round(saturate(opacity) * 255.0) << (8u * (z & 3u));
     if ((z & 3u) == 3u)
     {
-        if (IsInVolume(voxel - int3(0, 0, 3)))
-            OPACITY_TARGET[int3(voxel.xy, voxel.z >> 2)] = texel;
+        if (IsStored(box, stored - int3(0, 0, 3)))
+            OPACITY_TARGET[int3(stored.xy, stored.z >> 2)] = texel;
         texel = 0u;
     }
 #else
-    if (IsInVolume(voxel))
-        OPACITY_TARGET[voxel] = opacity;
+    if (IsStored(box, stored))
+        OPACITY_TARGET[stored] = opacity;
 #endif
 }
 

@@ -22,6 +22,7 @@ groupshared uint OpacityTile[TILE_SIZE * TILE_SIZE * TILE_WORDS]; // x fastest, 
 // inside have.
 void FillOpacityTile(int3 brickOrigin, uint3 first, uint3 end, uint threadIndex)
 {
+    StoredBox box = StoredVoxels();
     uint rows = end.y - first.y + 2u, lastWord = end.z / 4u;
     [loop]
     for (uint item = threadIndex; item < TILE_SIZE * rows; item += GROUP_THREADS)
@@ -35,10 +36,10 @@ void FillOpacityTile(int3 brickOrigin, uint3 first, uint3 end, uint threadIndex)
             uint bits = 0u;
             [unroll]
             for (n = 0u; n < 4u; n++)
-                bits |= OpacityCodeOf(ClampToVolume(voxel + int3(0, 0, 4u * word + n))) << (8u * n);
+                bits |= OpacityCodeOf(StoredAt(box, voxel + int3(0, 0, 4u * word + n))) << (8u * n);
             OpacityTile[column + TILE_SIZE * TILE_SIZE * word] = bits;
         }
-        uint rest = OpacityCodeOf(ClampToVolume(voxel + int3(0, 0, 4u * lastWord))) | OpacityCodeOf(ClampToVolume(voxel + int3(0, 0, 4u * lastWord + 1u))) << 8u;
+        uint rest = OpacityCodeOf(StoredAt(box, voxel + int3(0, 0, 4u * lastWord))) | OpacityCodeOf(StoredAt(box, voxel + int3(0, 0, 4u * lastWord + 1u))) << 8u;
         OpacityTile[column + TILE_SIZE * TILE_SIZE * lastWord] = rest;
     }
 }

@@ -58,13 +58,12 @@ float3 MmToIndexVector(float3 v)
 
 // Opacity between voxels, from the eight around, in float and in the order of the CPU twin (x, then y, then z). Beyond the border the
 // nearest repeat.
-float ExactOpacityAt(float3 index)
+float ExactOpacityAt(StoredBox box, float3 index)
 {
     float3 corner = floor(index);
     float3 part = index - corner;
-    int3 last = VolumeDims() - 1;
-    int3 a = clamp(int3(corner), int3(0, 0, 0), last);
-    int3 b = clamp(int3(corner) + 1, int3(0, 0, 0), last);
+    int3 a = StoredAt(box, int3(corner));
+    int3 b = StoredAt(box, int3(corner) + 1);
     float4 low = float4(OpacityAAOf(a), OpacityAAOf(int3(a.x, b.y, a.z)), OpacityAAOf(int3(a.xy, b.z)), OpacityAAOf(int3(a.x, b.yz)));
     float4 high = float4(OpacityAAOf(int3(b.x, a.yz)), OpacityAAOf(int3(b.xy, a.z)), OpacityAAOf(int3(b.x, a.y, b.z)), OpacityAAOf(b));
     float4 alongX = low + part.x * (high - low);
@@ -74,17 +73,17 @@ float ExactOpacityAt(float3 index)
 
 // The texture filters of many devices have 8 bits of precision, in the weights or in the result: fast, but not quite what the CPU's pointer
 // computes. Packed opacities cannot be filtered. The branch is the same for all rays.
-float OpacityAt(float3 index)
+float OpacityAt(StoredBox box, float3 index)
 {
 #ifdef PORTABLE_LAYOUT
-    return ExactOpacityAt(index);
+    return ExactOpacityAt(box, index);
 #else
     float opacity;
     [branch]
     if (_March.w > 0.0)
-        opacity = ExactOpacityAt(index);
+        opacity = ExactOpacityAt(box, index);
     else
-        opacity = _OpacityAA.SampleLevel(sampler_LinearClamp, (index + 0.5) / _VolumeDims.xyz, 0.0);
+        opacity = _OpacityAA.SampleLevel(sampler_LinearClamp, (index - _StoredFirst.xyz + 0.5) / (_StoredLast.xyz + 1.0), 0.0);
     return opacity;
 #endif
 }
@@ -110,9 +109,10 @@ struct StepRay
     float3 perStep;
     float3 stepsPerVoxel; // 1 / perStep; huge for an axis along which the ray does not move
     float3 isBackwards;   // 1 for axes along which the index falls, else 0
+    StoredBox box;
 };
 
-float OpacityOnRay(StepRay ray, float position) { return OpacityAt(ray.first + position * ray.perStep); }
+float OpacityOnRay(StepRay ray, float position) { return OpacityAt(ray.box, ray.first + position * ray.perStep); }
 
 // The first step whose middle may lie outside of the cells that are empty with the middle of step n, or of the cell itself if that is occupied.
 uint StepBeyondCells(StepRay ray, uint n, float rayEnd, uint lastStep, out bool isEmpty)
@@ -166,17 +166,17 @@ float FirstVisiblePosition(StepRay ray, float begin, float end, float alpha, flo
 }
 
 // Colour of matter at a place between voxels.
-float3 ShadedColor(float3 index, float3 lengthAhead, float3 toViewer, float3 toLight)
+float3 ShadedColor(StoredBox box, float3 index, float3 lengthAhead, float3 toViewer, float3 toLight)
 {
     float3 base = float3(0.0, 0.0, 0.0);
     bool isFound = false;
     [loop]
     for (uint look = 0u; look < 2u && !isFound; look++) // filters spread opacity in front of matter
-        isFound = MatterColor(look == 0u ? index : index + lengthAhead, base);
+        isFound = MatterColor(box, look == 0u ? index : index + lengthAhead, base);
     [branch]
     if (!isFound)
-        base = SegmentColor(SegmentAround(int3(floor(index))));
-    return BlinnPhong(base, BlendedNormal(index), toViewer, toLight);
+        base = SegmentColor(SegmentAround(box, int3(floor(index))));
+    return BlinnPhong(base, BlendedNormal(box, index), toViewer, toLight);
 }
 
 // origin, direction: centred mm; a point of the ray is origin + t * direction. toLight: unit vector, centred mm.
@@ -200,6 +200,7 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT, flo
         uint stepCount = (uint)ceil(steps);
         uint pairing = _March.x > 0.5 ? 0u : 1u;
         StepRay ray;
+        ray.box = StoredVoxels();
         ray.first = start + nearT * velocity;
         ray.perStep = stepT * velocity;
         ray.stepsPerVoxel = float3(abs(ray.perStep.x) > 1e-20 ? 1.0 / ray.perStep.x : 1e20, abs(ray.perStep.y) > 1e-20 ? 1.0 / ray.perStep.y : 1e20,
@@ -264,7 +265,7 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT, flo
                 n += n < until ? 1u : 0u;
             }
             if (weight > 0.0)
-                result.color.rgb += weight * ShadedColor(ray.first + (float(from) + moment / weight) * ray.perStep, ray.perStep / _March.x, toViewer, toLight);
+                result.color.rgb += weight * ShadedColor(ray.box, ray.first + (float(from) + moment / weight) * ray.perStep, ray.perStep / _March.x, toViewer, toLight);
         }
         result.color.a = alpha;
         if (nearlyVisible >= 0.0)
@@ -282,7 +283,7 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT, flo
             position = position < 0.0 && visible >= 0.0 ? stepEnd : position;
             [loop]
             for (uint look = 0u; look < 2u && position >= 0.0 && result.segment == NO_SEGMENT; look++) // what was sampled has matter around, should the place have none
-                result.segment = SegmentAround(int3(floor(ray.first + (look == 0u ? position : sampled) * ray.perStep)));
+                result.segment = SegmentAround(ray.box, int3(floor(ray.first + (look == 0u ? position : sampled) * ray.perStep)));
             result.depthMm = position >= 0.0 ? (nearT + depth * stepT) * mmPerT : NO_DEPTH;
         }
     }

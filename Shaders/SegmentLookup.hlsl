@@ -13,9 +13,8 @@ Texture2D<float4> _SegmentColors; // rgb: linear colour
 
 // The segment shown at a corner: that of the most opaque of its eight voxels; where these are empty, of the 4x4x4 around; NO_SEGMENT when all are. Beyond the
 // border the nearest voxels repeat.
-uint SegmentAround(int3 corner)
+uint SegmentAround(StoredBox box, int3 corner)
 {
-    int3 last = VolumeDims() - 1;
     uint segment = NO_SEGMENT;
     float highest = 0.0;
     uint count = 8u;
@@ -24,9 +23,9 @@ uint SegmentAround(int3 corner)
     {
         uint m = n - 8u;
         int3 offset = n < 8u ? int3(n & 1u, (n >> 1) & 1u, n >> 2) : int3(m & 3u, (m >> 2) & 3u, m >> 4) - 1;
-        int3 voxel = clamp(corner + offset, int3(0, 0, 0), last);
-        float opacity = OpacityOf(voxel);
-        uint own = _Labels.Load(int4(voxel, 0));
+        int3 stored = StoredAt(box, corner + offset);
+        float opacity = OpacityOf(stored);
+        uint own = _Labels.Load(int4(box.first + stored, 0));
         segment = opacity > highest ? own : segment;
         highest = max(highest, opacity);
         if (n == 7u && highest == 0.0)
@@ -44,11 +43,10 @@ float3 SegmentColor(uint segment)
 
 // Linear colour of matter at a place between voxels: of the eight around, each counts by its share and its opacity before anti-aliasing. So borders between
 // segments have no steps, and what is empty lends no colour. False where there is nothing.
-bool MatterColor(float3 index, out float3 color)
+bool MatterColor(StoredBox box, float3 index, out float3 color)
 {
     float3 corner = floor(index);
     float3 part = index - corner;
-    int3 last = VolumeDims() - 1;
     float weights[8];
     uint segments[8];
     float sum = 0.0;
@@ -59,9 +57,9 @@ bool MatterColor(float3 index, out float3 color)
     {
         int3 offset = int3(n & 1, (n >> 1) & 1, n >> 2);
         float3 shares = float3(offset) * part + float3(1 - offset) * (1.0 - part);
-        int3 voxel = clamp(int3(corner) + offset, int3(0, 0, 0), last);
-        weights[n] = shares.x * shares.y * shares.z * OpacityOf(voxel);
-        segments[n] = _Labels.Load(int4(voxel, 0));
+        int3 stored = StoredAt(box, int3(corner) + offset);
+        weights[n] = shares.x * shares.y * shares.z * OpacityOf(stored);
+        segments[n] = _Labels.Load(int4(box.first + stored, 0));
         sum += weights[n];
         next = weights[n] > 0.0 ? min(next, segments[n]) : next;
     }

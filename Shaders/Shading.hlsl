@@ -8,19 +8,17 @@
 
 // Trilinear blend of the eight normals around a point in index space, those without a direction left out; not of unit length,
 // (0, 0, 0) when none has one. Octahedral codes cannot be filtered by a sampler: they wrap around.
-float3 BlendedNormal(float3 index)
+float3 BlendedNormal(StoredBox box, float3 index)
 {
     float3 corner = floor(index);
     float3 part = index - corner;
-    int3 last = VolumeDims() - 1;
     float3 sum = float3(0.0, 0.0, 0.0);
     [unroll]
     for (int n = 0; n < 8; n++)
     {
         int3 offset = int3(n & 1, (n >> 1) & 1, n >> 2);
         float3 weights = float3(offset) * part + float3(1 - offset) * (1.0 - part);
-        int3 voxel = clamp(int3(corner) + offset, int3(0, 0, 0), last);
-        sum += weights.x * weights.y * weights.z * OctahedralDecode(NormalCodeOf(voxel));
+        sum += weights.x * weights.y * weights.z * OctahedralDecode(NormalCodeOf(StoredAt(box, int3(corner) + offset)));
     }
     return sum;
 }

@@ -30,6 +30,8 @@ cbuffer CarvedVolume
     float4 _MmToIndex0;        // xyz: row 0 of M's inverse, voxels per mm
     float4 _MmToIndex1;
     float4 _MmToIndex2;
+    float4 _StoredFirst;       // xyz: the first voxel of the box that the kernels' opacities and normals are stored of; a brick begins there
+    float4 _StoredLast;        // xyz: its last voxel, counted from the first
     float4 _CentreIndex;       // xyz: (dims - 1) / 2; w: reference length = the smallest spacing, mm
     float4 _IntensityToLookup; // texel of the transfer function = saturate(code * x + y) * z; z = texels - 1
     float4 _CarveCounts;       // x: spheres; y: words per mask; z: segments; w: cut mode, 0 = binary, 1 = smooth
@@ -59,5 +61,30 @@ bool IsInVolume(int3 voxel)
 {
     return all(voxel >= 0) && all(voxel < VolumeDims());
 }
+
+// Opacities and normals are stored of a box of bricks: of all in which anything is visible before carving, and of those around them. Beyond it everything is 0,
+// and so is its outermost layer, but for where it ends with the volume. So the nearest stored voxel stands for all that are not stored, and for what lies beyond the
+// volume.
+
+struct StoredBox
+{
+    int3 first; // voxel
+    int3 last;  // from the first
+};
+
+// Loops take it from before the loop: constants are not always free to read.
+StoredBox StoredVoxels()
+{
+    StoredBox box;
+    box.first = int3(_StoredFirst.xyz);
+    box.last = int3(_StoredLast.xyz);
+    return box;
+}
+
+// Where in the box the nearest to a voxel lies: its place in the textures, but for packing.
+int3 StoredAt(StoredBox box, int3 voxel) { return clamp(voxel - box.first, int3(0, 0, 0), box.last); }
+
+// Whether a voxel's own place is in the textures; stored: voxel - first.
+bool IsStored(StoredBox box, int3 stored) { return all(stored >= 0) && all(stored <= box.last); }
 
 #endif

@@ -15,6 +15,8 @@ namespace AnatomyCarve
     sealed class CarvePipeline : IDisposable
     {
         static readonly ProfilerMarker UploadMarker = new ProfilerMarker("AnatomyCarve.Upload");
+        const double KeptShare = 0.75;
+
         static readonly ClipSphere[] NoSpheres = Array.Empty<ClipSphere>();
 
         readonly BrickGrid bricks;
@@ -26,6 +28,7 @@ namespace AnatomyCarve
         readonly LiveBricks live;
         readonly RenderStatistics statistics;
         VolumeTextures textures;
+        FieldTextures field; // null until something is shown
         LookupTextures lookups;
         SphereBuffers spheres;
 
@@ -50,7 +53,7 @@ namespace AnatomyCarve
             dirty = new DirtyBrickSet(bricks, constants.Grid) { Index = index };
             kernels = new VolumeKernels(bricks, index, constants, shaders, layout, statistics);
             skip = new SkipStructure(bricks, shaders);
-            live = new LiveBricks(bricks.Count);
+            live = new LiveBricks(bricks);
             MakeResources();
         }
 
@@ -61,6 +64,9 @@ namespace AnatomyCarve
 
         /// <summary>Tells this pipeline from others, for those who must not hold its volume.</summary>
         public object Identity { get; } = new object();
+
+        /// <summary>The voxels of which opacities and normals are stored; null before the first update.</summary>
+        public VoxelBox? StoredVoxels => field?.Box;
 
         /// <summary>Rises with every change of what a picture would show.</summary>
         public int Version { get; private set; }
@@ -120,15 +126,16 @@ namespace AnatomyCarve
             constants.Bind(target);
             target.SetTexture(ShaderIds.Labels, textures.Labels);
             target.SetTexture(ShaderIds.SegmentColors, lookups.SegmentColors);
-            target.SetTexture(ShaderIds.Opacity, textures.Opacity);
-            target.SetTexture(ShaderIds.OpacityAA, textures.OpacityAA);
-            target.SetTexture(ShaderIds.Normals, textures.Normals);
+            target.SetTexture(ShaderIds.Opacity, field.Opacity);
+            target.SetTexture(ShaderIds.OpacityAA, field.OpacityAA);
+            target.SetTexture(ShaderIds.Normals, field.Normals);
             target.SetTexture(ShaderIds.SkipMap, skip.Map);
         }
 
         public void AddSizes(List<ResourceSize> sizes)
         {
             textures.AddSizes(sizes);
+            field?.AddSizes(sizes);
             lookups.AddSizes(sizes);
             spheres.AddSizes(sizes);
             skip.AddSizes(sizes);
@@ -138,6 +145,8 @@ namespace AnatomyCarve
         public void Dispose()
         {
             textures?.Dispose();
+            field?.Dispose();
+            field = null;
             lookups?.Dispose();
             spheres?.Dispose();
             skip.Dispose();
@@ -150,7 +159,7 @@ namespace AnatomyCarve
             {
                 try
                 {
-                    kernels.Textures = textures = new VolumeTextures(Volume, Layout);
+                    kernels.Textures = textures = new VolumeTextures(Volume);
                     kernels.Lookups = lookups = new LookupTextures(Volume.Segments.Count);
                     kernels.Spheres = spheres = new SphereBuffers(index, Volume.Segments.Count);
                     kernels.Skip = skip;
@@ -169,12 +178,12 @@ namespace AnatomyCarve
         /// <summary>A lost device empties render textures; scripts and scene changes may destroy objects.</summary>
         void RestoreLost()
         {
-            if (!textures.Exist || !lookups.Exist || !skip.Exists || !kernels.AreListsThere)
+            if (!textures.Exist || (field != null && !field.Exist) || !lookups.Exist || !skip.Exists || !kernels.AreListsThere)
             {
                 Dispose();
                 MakeResources();
             }
-            if (textures.Restore() | skip.Restore() || (filled && !spheres.IsValid))
+            if ((field != null && field.Restore()) | skip.Restore() || (filled && !spheres.IsValid))
                 filled = false;
         }
 
@@ -183,7 +192,22 @@ namespace AnatomyCarve
         {
             contents = VisibleContents.Of(Volume, constants.Lookup, OpacitiesOf(segments));
             dirty.Contents = contents;
-            kernels.ClearBricks(live.Take(contents, !filled));
+            live.Take(contents);
+            bool isNew = Hold(live.Box);
+            kernels.ClearBricks(live.Emptied(isNew || !filled));
+        }
+
+        /// <summary>Sees to it that a box is stored. One that is smaller by less than a quarter leaves it as it is, so that not every change of a setting makes textures anew.</summary>
+        /// <returns>Whether textures are new, and empty.</returns>
+        bool Hold(VoxelBox box)
+        {
+            if (field != null && field.Box.Contains(box) && box.VoxelCount > KeptShare * field.Box.VoxelCount)
+                return false;
+            field?.DisposeAtOnce(); // so that never both take memory
+            kernels.Field = field = null;
+            kernels.Field = field = new FieldTextures(box, Layout);
+            constants.SetStored(box);
+            return true;
         }
 
         void SmoothAll()

@@ -42,6 +42,8 @@ namespace AnatomyCarve
             {
                 Gpu ??= VolumeGpu.Create(inputs.Volume, layout, Statistics);
                 Gpu.Update(inputs);
+                if (drawing != null)
+                    Bind(inputs); // textures may be new, and a camera be about to draw
                 return Gpu;
             }
             catch (Exception e) when (IsRefusal(e))

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using AnatomyCarve.Carving;
 
 namespace AnatomyCarve
 {
@@ -84,6 +85,12 @@ namespace AnatomyCarve
         /// <summary>How the volume lies in textures; <see cref="TextureLayout.Automatic"/> while none is on the GPU.</summary>
         public TextureLayout Layout => Source == null ? TextureLayout.Automatic : Source.Layout;
 
+        /// <summary>
+        /// The voxels of which opacities and normals are stored: the box around all in which anything can be visible, whatever the carving. Null while no volume is on the
+        /// GPU.
+        /// </summary>
+        public VoxelBox? StoredVoxels => Source?.StoredVoxels;
+
         /// <summary>What the renderer holds on the GPU now, resource by resource. Each call lists anew, so do not ask every frame.</summary>
         public IReadOnlyList<ResourceSize> Resources
         {
@@ -98,7 +105,7 @@ namespace AnatomyCarve
         /// <summary>Sum of <see cref="Resources"/> in bytes.</summary>
         public long BytesResident => Sum(Resources);
 
-        /// <summary>The part of <see cref="BytesResident"/> that is the volume's, without pictures: what <see cref="MemoryForecast.GpuBytes"/> foretold.</summary>
+        /// <summary>The part of <see cref="BytesResident"/> that is the volume's, without pictures: at most what <see cref="MemoryForecast.GpuBytes"/> foretold.</summary>
         public long VolumeBytesResident
         {
             get

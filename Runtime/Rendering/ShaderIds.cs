@@ -44,6 +44,8 @@ namespace AnatomyCarve
         public static readonly int MmToIndex0 = Shader.PropertyToID("_MmToIndex0");
         public static readonly int MmToIndex1 = Shader.PropertyToID("_MmToIndex1");
         public static readonly int MmToIndex2 = Shader.PropertyToID("_MmToIndex2");
+        public static readonly int StoredFirst = Shader.PropertyToID("_StoredFirst");
+        public static readonly int StoredLast = Shader.PropertyToID("_StoredLast");
         public static readonly int CentreIndex = Shader.PropertyToID("_CentreIndex");
         public static readonly int IntensityToLookup = Shader.PropertyToID("_IntensityToLookup");
         public static readonly int CarveCounts = Shader.PropertyToID("_CarveCounts");

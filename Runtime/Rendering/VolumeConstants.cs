@@ -16,6 +16,7 @@ namespace AnatomyCarve
         Vector4 intensityToLookup;
         Vector4 counts;
         Vector4 antiAlias;
+        Vector4 storedFirst, storedLast;
 
         public VolumeConstants(SegmentedVolume volume, BrickGrid bricks)
         {
@@ -51,6 +52,13 @@ namespace AnatomyCarve
             antiAlias = new Vector4(antiAliasing.ThresholdAbsolute, antiAliasing.ThresholdRelative, antiAliasing.GradientMinimum, antiAliasing.Strength);
         }
 
+        /// <summary>Takes the voxels that opacities and normals are stored of.</summary>
+        public void SetStored(VoxelBox box)
+        {
+            storedFirst = new Vector4(box.MinI, box.MinJ, box.MinK, 0f);
+            storedLast = new Vector4(box.MaxI - box.MinI, box.MaxJ - box.MinJ, box.MaxK - box.MinK, 0f);
+        }
+
         /// <summary>Sets all of it for a kernel that works on bricks. Other volumes use its shader too.</summary>
         public void Bind<T>(T target, int bricks, int groupsPerRow) where T : IShaderValues
         {
@@ -63,6 +71,8 @@ namespace AnatomyCarve
             target.SetVector(ShaderIds.MmToIndex0, mmToIndex0);
             target.SetVector(ShaderIds.MmToIndex1, mmToIndex1);
             target.SetVector(ShaderIds.MmToIndex2, mmToIndex2);
+            target.SetVector(ShaderIds.StoredFirst, storedFirst);
+            target.SetVector(ShaderIds.StoredLast, storedLast);
             target.SetVector(ShaderIds.CentreIndex, centreIndex);
             target.SetVector(ShaderIds.IntensityToLookup, intensityToLookup);
             target.SetVector(ShaderIds.AntiAlias, antiAlias);

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using AnatomyCarve.Carving;
 using AnatomyCarve.Volumes;
 using UnityEngine;
 
@@ -25,6 +26,9 @@ namespace AnatomyCarve
 
         /// <summary>Compact or portable.</summary>
         public TextureLayout Layout => pipeline.Layout;
+
+        /// <summary>The voxels of which opacities and normals are stored; null before the first update.</summary>
+        public VoxelBox? StoredVoxels => pipeline.StoredVoxels;
 
         public PictureCache Pictures { get; } = new PictureCache();
 

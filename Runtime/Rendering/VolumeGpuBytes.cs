@@ -3,8 +3,8 @@ using AnatomyCarve.Carving;
 namespace AnatomyCarve
 {
     /// <summary>
-    /// What a volume will take on the GPU, counted before anything is made: <see cref="RenderStatistics.VolumeBytesResident"/> afterwards, with at most 16 clip
-    /// spheres that meet at most 64 bricks.
+    /// What a volume will take on the GPU at most, counted before anything is made: <see cref="RenderStatistics.VolumeBytesResident"/> afterwards, where matter comes
+    /// near all of the volume's faces, with at most 16 clip spheres that meet at most 64 bricks.
     /// </summary>
     static class VolumeGpuBytes
     {

@@ -40,6 +40,9 @@ namespace AnatomyCarve
         /// <summary>What they read and write; to be set before the first call, and again when it was made anew.</summary>
         public VolumeTextures Textures { get; set; }
 
+        /// <summary>What they write.</summary>
+        public FieldTextures Field { get; set; }
+
         public LookupTextures Lookups { get; set; }
 
         public SphereBuffers Spheres { get; set; }
@@ -65,7 +68,7 @@ namespace AnatomyCarve
                 clipVoxels.SetTexture(ShaderIds.Labels, Textures.Labels);
                 clipVoxels.SetTexture(ShaderIds.TransferFunction, Lookups.TransferFunction);
                 clipVoxels.SetTexture(ShaderIds.SegmentColors, Lookups.SegmentColors);
-                clipVoxels.SetTexture(ShaderIds.OpacityOut, Textures.Opacity);
+                clipVoxels.SetTexture(ShaderIds.OpacityOut, Field.Opacity);
                 BindSpheres(clipVoxels);
                 Begin(true);
                 for (int n = 0; n < list.Count; n++)
@@ -82,8 +85,8 @@ namespace AnatomyCarve
         {
             using (AntiAliasMarker.Auto())
             {
-                antiAlias.SetTexture(ShaderIds.Opacity, Textures.Opacity);
-                antiAlias.SetTexture(ShaderIds.OpacityAAOut, Textures.OpacityAA);
+                antiAlias.SetTexture(ShaderIds.Opacity, Field.Opacity);
+                antiAlias.SetTexture(ShaderIds.OpacityAAOut, Field.OpacityAA);
                 antiAlias.SetBuffer(ShaderIds.BrickMatter, Skip.BrickMatter);
                 antiAlias.Count(statistics.WorkCounts);
                 Begin(false);
@@ -97,9 +100,9 @@ namespace AnatomyCarve
         {
             using (NormalsMarker.Auto())
             {
-                sobelNormals.SetTexture(ShaderIds.OpacityAA, Textures.OpacityAA);
+                sobelNormals.SetTexture(ShaderIds.OpacityAA, Field.OpacityAA);
                 sobelNormals.SetTexture(ShaderIds.Labels, Textures.Labels);
-                sobelNormals.SetTexture(ShaderIds.NormalsOut, Textures.Normals);
+                sobelNormals.SetTexture(ShaderIds.NormalsOut, Field.Normals);
                 BindSpheres(sobelNormals);
                 Begin(true);
                 for (int n = 0; n < list.Count; n++)
@@ -116,9 +119,9 @@ namespace AnatomyCarve
         {
             using (ClearMarker.Auto())
             {
-                clearBricks.SetTexture(ShaderIds.OpacityOut, Textures.Opacity);
-                clearBricks.SetTexture(ShaderIds.OpacityAAOut, Textures.OpacityAA);
-                clearBricks.SetTexture(ShaderIds.NormalsOut, Textures.Normals);
+                clearBricks.SetTexture(ShaderIds.OpacityOut, Field.Opacity);
+                clearBricks.SetTexture(ShaderIds.OpacityAAOut, Field.OpacityAA);
+                clearBricks.SetTexture(ShaderIds.NormalsOut, Field.Normals);
                 clearBricks.SetBuffer(ShaderIds.BrickMatter, Skip.BrickMatter);
                 Begin(false);
                 for (int n = 0; n < list.Count; n++)

@@ -20,5 +20,12 @@ namespace AnatomyCarve.Carving
 
         /// <summary>Last voxel along k.</summary>
         public int MaxK;
+
+        /// <summary>How many voxels it has.</summary>
+        public long VoxelCount => (MaxI - MinI + 1L) * (MaxJ - MinJ + 1L) * (MaxK - MinK + 1L);
+
+        /// <summary>Whether another box lies within this one.</summary>
+        public bool Contains(VoxelBox other) =>
+            other.MinI >= MinI && other.MinJ >= MinJ && other.MinK >= MinK && other.MaxI <= MaxI && other.MaxJ <= MaxJ && other.MaxK <= MaxK;
     }
 }

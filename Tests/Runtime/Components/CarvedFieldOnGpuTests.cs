@@ -37,8 +37,8 @@ namespace AnatomyCarve.Tests.Components
                 Edit(renderer.Stack.Carving, geometry, random);
                 renderer.Render(rays);
                 CarvedField field = renderer.Field;
-                raw.Compare(Read(OpacityName), field.OpacityCode);
-                smoothed.Compare(Read(AntiAliasedName), field.AntiAliasedCode);
+                raw.Compare(Read(OpacityName, renderer), field.OpacityCode);
+                smoothed.Compare(Read(AntiAliasedName, renderer), field.AntiAliasedCode);
             }
             string figures = $"seed {seed}: opacity {raw}; anti-aliased {smoothed}";
             TestContext.WriteLine(figures);
@@ -61,7 +61,7 @@ namespace AnatomyCarve.Tests.Components
             {
                 Edit(renderer.Stack.Carving, geometry, random);
                 renderer.Render(RandomMatter.Rays(geometry, random, 8));
-                byte[] texture = Read(OpacityName);
+                byte[] texture = Read(OpacityName, renderer);
                 CarvedField field = renderer.Field;
                 ForEach(geometry, (v, i, j, k) =>
                 {
@@ -125,11 +125,11 @@ namespace AnatomyCarve.Tests.Components
                 carving.Undo();
         }
 
-        static byte[] Read(string name)
+        static byte[] Read(string name, CarvedVolumeRenderer renderer)
         {
-            RenderTexture[] found = Resources.FindObjectsOfTypeAll<RenderTexture>().Where(texture => texture.name == name).ToArray();
+            RenderTexture[] found = Resources.FindObjectsOfTypeAll<RenderTexture>().Where(texture => texture.name == name && texture.IsCreated()).ToArray();
             Assert.That(found.Length, Is.EqualTo(1), name);
-            return KernelRig.Read<byte>(found[0]);
+            return StoredVoxels.Whole(KernelRig.Read<byte>(found[0]), renderer);
         }
 
         static void ForEach(VolumeGeometry geometry, Action<int, int, int, int> action)

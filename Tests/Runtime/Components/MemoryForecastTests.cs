@@ -22,6 +22,7 @@ namespace AnatomyCarve.Tests.Components
             SegmentedVolume volume = Make(size, segments);
             CarvedVolumeRenderer renderer = MakeVolume(volume);
             renderer.Layout = layout;
+            renderer.TransferFunction = OpacityTransferFunction.Constant(1); // so that all of it has to be stored
             CarvedPicture picture = renderer.Render(FrontView(volume, 8));
             MemoryForecast forecast = MemoryForecast.Of(volume, "volume", layout);
             Assert.That(renderer.Statistics.Layout, Is.EqualTo(layout));

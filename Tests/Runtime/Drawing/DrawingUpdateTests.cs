@@ -128,6 +128,35 @@ namespace AnatomyCarve.Tests.Drawing
             Assert.That(CountDrawn(Draw(camera), camera), Is.EqualTo(whole));
         }
 
+        /// <summary>The textures that the camera was about to draw with go, as other voxels are stored now.</summary>
+        [Test]
+        public void Textures_MadeAnewBetweenCullingAndDrawing_AreDrawn()
+        {
+            SegmentedVolume volume = Phantoms.Markers(64);
+            CarvedVolumeRenderer renderer = MakeVolume(volume);
+            Camera camera = MakeDrawingCamera(new Vector3(0f, 0f, -0.08f), Vector3.up);
+            int whole = CountDrawn(Draw(camera), camera);
+            long stored = renderer.Statistics.StoredVoxels.Value.VoxelCount;
+            void ShowOne(Camera c)
+            {
+                SegmentTable table = volume.Segments;
+                for (int s = 0; s < table.Count; s++)
+                    table = s == Phantoms.Anterior ? table : table.WithOpacity(s, 0);
+                renderer.Segments = table;
+                renderer.Render(FrontView(volume, 8));
+            }
+            Camera.onPreRender += ShowOne;
+            try
+            {
+                Assert.That(CountDrawn(Draw(camera), camera), Is.InRange(1, whole - 1));
+            }
+            finally
+            {
+                Camera.onPreRender -= ShowOne;
+            }
+            Assert.That(renderer.Statistics.StoredVoxels.Value.VoxelCount, Is.LessThan(stored / 2));
+        }
+
         [UnityTest]
         public IEnumerator Clone_OfARendererThatGoes_DrawsWithItsOwn()
         {

@@ -281,6 +281,8 @@ namespace AnatomyCarve.Tests.Kernels
         {
             shader.SetVector("_VolumeDims", new Vector4(grid.SizeI, grid.SizeJ, grid.SizeK, bricks));
             shader.SetVector("_BrickGrid", new Vector4(grid.BricksI, grid.BricksJ, grid.BricksK, groupsPerRow));
+            shader.SetVector("_StoredFirst", Vector4.zero);
+            shader.SetVector("_StoredLast", new Vector4(grid.SizeI - 1, grid.SizeJ - 1, grid.SizeK - 1, 0));
         }
     }
 }

@@ -107,7 +107,7 @@ namespace AnatomyCarve.Tests.Stress
         {
             VolumeGeometry geometry = renderer.Volume.Geometry;
             CarvedField field = renderer.Field;
-            byte[] opacity = ReadVolume("AnatomyCarve opacity"), smoothed = ReadVolume("AnatomyCarve anti-aliased opacity");
+            byte[] opacity = ReadVolume("AnatomyCarve opacity", renderer), smoothed = ReadVolume("AnatomyCarve anti-aliased opacity", renderer);
             int v = 0, wrong = 0, wrongSmoothed = 0, visible = 0;
             for (int k = 0; k < geometry.SizeK; k++)
                 for (int j = 0; j < geometry.SizeJ; j++)
@@ -161,9 +161,10 @@ namespace AnatomyCarve.Tests.Stress
 
         /// <summary>The renderer's volumes on the GPU, in the order of their names.</summary>
         protected RenderTexture[] VolumeTextures() => Resources.FindObjectsOfTypeAll<RenderTexture>()
-            .Where(texture => texture.dimension == TextureDimension.Tex3D && !former.Contains(texture))
+            .Where(texture => texture.dimension == TextureDimension.Tex3D && texture.IsCreated() && !former.Contains(texture))
             .OrderBy(texture => texture.name, StringComparer.Ordinal).ToArray();
 
-        byte[] ReadVolume(string name) => KernelRig.Read<byte>(VolumeTextures().Single(texture => texture.name == name));
+        byte[] ReadVolume(string name, CarvedVolumeRenderer renderer) =>
+            StoredVoxels.Whole(KernelRig.Read<byte>(VolumeTextures().Single(texture => texture.name == name)), renderer);
     }
 }

@@ -49,7 +49,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
             stage.Show(PhantomVolumes.OfOpacities(geometry, opacities));
             stage.Renderer.TransferFunction = PhantomVolumes.EightBits;
             stage.Renderer.Render(ParallelViews.Along(new VectorMm(0, 0, 1), geometry.CentreLps, 10, 8, 100));
-            var codes = Texels.ReadPackageTexture("AnatomyCarve normals");
+            var codes = Texels.ReadPackageTexture(stage.Renderer, "AnatomyCarve normals");
             if (codes == null) return null;
             var errors = new AngleErrors();
             Grids.ForEach(geometry, (i, j, k, voxel) =>

@@ -125,6 +125,8 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
             var grid = new CentredGrid(geometry);
             Set("_VolumeDims", geometry.SizeI, geometry.SizeJ, geometry.SizeK);
             Set("_BrickGrid", bricks.BricksX, bricks.BricksY, bricks.BricksZ);
+            Set("_StoredFirst", 0, 0, 0);
+            Set("_StoredLast", geometry.SizeI - 1, geometry.SizeJ - 1, geometry.SizeK - 1);
             for (var row = 0; row < 3; row++)
             {
                 Set("_IndexToMm" + row, grid[row, 0], grid[row, 1], grid[row, 2]);

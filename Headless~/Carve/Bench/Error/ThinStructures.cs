@@ -48,7 +48,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
             stage.Show(volume);
             stage.Renderer.TransferFunction = PhantomVolumes.Everything;
             stage.Renderer.Render(ParallelViews.Along(new VectorMm(0, 0, 1), geometry.CentreLps, 10, 8, 100));
-            var codes = Texels.ReadPackageTexture("AnatomyCarve anti-aliased opacity");
+            var codes = Texels.ReadPackageTexture(stage.Renderer, "AnatomyCarve anti-aliased opacity");
             if (codes == null) return null;
             double sum = 0;
             var voxels = 0;

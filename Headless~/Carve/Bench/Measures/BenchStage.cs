@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using AnatomyCarve.Carving;
+using AnatomyCarve.Headless.Cli.Bench.Error;
 using AnatomyCarve.Headless.Cli.Bench.Scenes;
 using AnatomyCarve.Headless.Cli.Commands;
 using AnatomyCarve.Picking;
@@ -67,11 +68,8 @@ namespace AnatomyCarve.Headless.Cli.Bench.Measures
             .ToArray();
 
         /// <summary>The anti-aliased opacities that rays read, one byte per voxel; of the compact layout.</summary>
-        public byte[] ReadAntiAliased()
-        {
-            if (Renderer.Statistics.Layout != TextureLayout.Compact) throw new CommandException("the device cannot write the compact layout.");
-            return Host.ReadTexture(Resources.FindObjectsOfTypeAll<RenderTexture>().Single(texture => texture.name == "AnatomyCarve anti-aliased opacity"));
-        }
+        public byte[] ReadAntiAliased() => Texels.ReadPackageTexture(Renderer, "AnatomyCarve anti-aliased opacity")
+            ?? throw new CommandException("the device cannot write the compact layout.");
 
         /// <summary>Fails if anything was logged as an error.</summary>
         public void ThrowIfFailed() => scene.ThrowIfFailed();
