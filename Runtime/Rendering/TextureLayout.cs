@@ -1,8 +1,8 @@
 namespace AnatomyCarve
 {
     /// <summary>
-    /// How opacity, anti-aliased opacity and normals of a volume lie in textures. Pictures are the same in both layouts; each takes 7 bytes per voxel (8 above
-    /// 255 segments), intensities and labels included.
+    /// How opacity, anti-aliased opacity and normals of a volume lie in textures. Pictures are the same in both layouts; each takes at most 7 bytes per voxel (8
+    /// above 255 segments), intensities and labels included.
     /// </summary>
     public enum TextureLayout
     {

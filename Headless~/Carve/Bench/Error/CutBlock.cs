@@ -9,11 +9,14 @@ using AnatomyCarve.Volumes;
 namespace AnatomyCarve.Headless.Cli.Bench.Error
 {
     /// <summary>A cut's surface as it is seen, against the sphere.</summary>
-    sealed record CutErrors(AngleErrors Normals, double DepthRmsVoxels, double DepthMeanVoxels, int Missing)
+    /// <param name="Normals">against the sphere's where the light comes from</param>
+    /// <param name="AtSurface">against the sphere's where the ray meets it</param>
+    sealed record CutErrors(AngleErrors Normals, AngleErrors AtSurface, double DepthRmsVoxels, double DepthMeanVoxels, int Missing)
     {
         public JsonObject ToJson()
         {
             var json = Normals.ToJson();
+            json["againstTheSurfaceThatTheRayMeets"] = AtSurface.ToJson();
             json["depthRmsVoxels"] = DepthRmsVoxels;
             json["depthMeanVoxels"] = DepthMeanVoxels;
             json["pixelsWithoutHit"] = Missing;
@@ -50,7 +53,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
             stage.Renderer.TransferFunction = PhantomVolumes.Everything;
             stage.Renderer.Quality = quality;
             stage.Stack.Carving.Replace([new ClipSphere(sphere.Centre, sphere.RadiusMm, SegmentMask.All(2))]);
-            var normals = new AngleErrors();
+            AngleErrors normals = new(), atSurface = new();
             double sum = 0, sumOfSquares = 0;
             int seenPixels = 0, missing = 0;
             foreach (var view in Views)
@@ -67,7 +70,8 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
                         continue;
                     }
 
-                    normals.Add(seen.Normals[pixel], -sphere.NormalAt(ray.At(seen.DepthsMm[pixel])));
+                    normals.Add(seen.Normals[pixel], -sphere.NormalAt(ray.At(seen.LitMm[pixel])));
+                    atSurface.Add(seen.Normals[pixel], -sphere.NormalAt(ray.At(depthMm)));
 
                     var error = (seen.DepthsMm[pixel] - depthMm) / geometry.ReferenceLengthMm;
                     sum += error;
@@ -76,7 +80,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
                 }
             }
 
-            return new CutErrors(normals, Math.Sqrt(sumOfSquares / seenPixels), sum / seenPixels, missing);
+            return new CutErrors(normals, atSurface, Math.Sqrt(sumOfSquares / seenPixels), sum / seenPixels, missing);
         }
 
         /// <summary>Whether a ray comes in through the cut's opening and meets the cut well below the face, at no grazing angle.</summary>

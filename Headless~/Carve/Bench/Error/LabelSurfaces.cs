@@ -33,12 +33,13 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
 
         public Outcome Run(MeasureContext context)
         {
-            var all = new AngleErrors();
+            AngleErrors all = new(), allAtSurface = new();
             var settings = new JsonObject { ["spacingMm"] = 1, ["views"] = ParallelViews.Directions.Length, ["pixels"] = pictureSize * pictureSize };
             foreach (var ball in Balls)
             {
-                var errors = MeasureBall(context.Stage, ball);
+                var (errors, atSurface) = MeasureBall(context.Stage, ball);
                 all.Add(errors);
+                allAtSurface.Add(atSurface);
                 context.Cancellation.ThrowIfCancellationRequested();
                 settings[$"radius {ball.RadiusMm}"] = errors.ToJson();
             }
@@ -47,6 +48,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
             if (kept == null) return Outcome.NotMeasured("the device has no compact layout");
             settings["kept"] = kept;
             context.Stage.ThrowIfFailed();
+            settings["againstTheSurfaceThatTheRayMeets"] = allAtSurface.ToJson();
             settings["leastKept"] = LeastKept(kept);
             // Normals at the cost of what is thin do not count.
             return LeastKept(kept) >= MustKeepPercent
@@ -56,12 +58,12 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
 
         static double LeastKept(JsonObject kept) => kept.Min(structure => (double)structure.Value);
 
-        AngleErrors MeasureBall(BenchStage stage, Ball ball)
+        (AngleErrors Normals, AngleErrors AtSurface) MeasureBall(BenchStage stage, Ball ball)
         {
             var size = (int)(2 * ball.RadiusMm) + 12;
             stage.Show(PhantomVolumes.OfSegments(Grids.Centred(size, size, size), 1, place => ball.Holds(place) ? 1 : 0));
             stage.Renderer.TransferFunction = PhantomVolumes.Everything;
-            var errors = new AngleErrors();
+            AngleErrors errors = new(), atSurface = new();
             foreach (var direction in ParallelViews.Directions)
             {
                 var rays = ParallelViews.Along(direction, ball.Centre, 2 * ball.RadiusMm, pictureSize, 3 * ball.RadiusMm);
@@ -72,11 +74,12 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
                     var enter = ball.Crossing(ray).In;
                     if (double.IsNaN(enter)) continue;
                     if (-ball.NormalAt(ray.At(enter)).Dot(ray.Direction) < MostSlanted) continue;
-                    errors.Add(seen.Normals[pixel], ball.NormalAt(ray.At(seen.Shows(pixel) ? seen.DepthsMm[pixel] : enter)));
+                    errors.Add(seen.Normals[pixel], ball.NormalAt(ray.At(seen.Shows(pixel) ? seen.LitMm[pixel] : enter)));
+                    atSurface.Add(seen.Normals[pixel], ball.NormalAt(ray.At(enter)));
                 }
             }
 
-            return errors;
+            return (errors, atSurface);
         }
     }
 }

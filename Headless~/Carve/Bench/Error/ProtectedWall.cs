@@ -41,7 +41,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
             {
                 var ray = rays.RayThroughPixel(pixel % pictureSize, pixel / pictureSize);
                 if (!Hit(ray, out var onWall, out var normal, out var fromCorner) || fromCorner < Near) continue;
-                if (!onWall && seen.Shows(pixel)) normal = -sphere.NormalAt(ray.At(seen.DepthsMm[pixel]));
+                if (!onWall && seen.Shows(pixel)) normal = -sphere.NormalAt(ray.At(seen.LitMm[pixel]));
                 (onWall ? fromCorner < Far ? wallNear : wallFar : fromCorner < Far ? cutNear : cutFar).Add(seen.Normals[pixel], normal);
                 if (seen.Segments[pixel] != (onWall ? 2 : 1)) otherSegment++;
             }
