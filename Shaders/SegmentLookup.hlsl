@@ -15,7 +15,7 @@ Texture2D<float4> _SegmentColors; // rgb: linear colour
 // border the nearest voxels repeat.
 uint SegmentAround(StoredBox box, int3 corner)
 {
-    uint segment = NO_SEGMENT;
+    int3 best = int3(0, 0, 0); // stored
     float highest = 0.0;
     uint count = 8u;
     [loop]
@@ -25,12 +25,12 @@ uint SegmentAround(StoredBox box, int3 corner)
         int3 offset = n < 8u ? int3(n & 1u, (n >> 1) & 1u, n >> 2) : int3(m & 3u, (m >> 2) & 3u, m >> 4) - 1;
         int3 stored = StoredAt(box, corner + offset);
         float opacity = OpacityOf(stored);
-        uint own = _Labels.Load(int4(box.first + stored, 0));
-        segment = opacity > highest ? own : segment;
+        best = opacity > highest ? stored : best;
         highest = max(highest, opacity);
         if (n == 7u && highest == 0.0)
             count = 72u;
     }
+    uint segment = highest > 0.0 ? _Labels.Load(int4(box.first + best, 0)) : NO_SEGMENT;
     return segment;
 }
 
