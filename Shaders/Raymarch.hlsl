@@ -134,7 +134,8 @@ uint StepBeyondCells(StepRay ray, uint n, float rayEnd, uint lastStep, out bool 
 }
 
 // Where alpha, accumulated from position begin on (in steps) where it is alpha, reaches _March.z, and the middle of the part in which it does; position -1 if
-// it does not before end. edge: where, from EDGE_REACH before begin on, opacity last rises to level before that; -1 where it is lower there.
+// it does not before end. edge: where opacity last rises to level before that; -1 where it is lower there. It is looked for from half a step less than EDGE_REACH
+// before begin on, as the position is half a step and more behind begin but for odd rays; where opacity never is lower, that is the edge.
 float FirstVisiblePosition(StepRay ray, float begin, float end, float alpha, float level, out float edge, inout float middle, inout uint samples)
 {
     float wanted = log2((1.0 - _March.z) / (1.0 - alpha)); // the log of the light that is to pass

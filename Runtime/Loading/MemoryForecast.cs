@@ -53,7 +53,9 @@ namespace AnatomyCarve
         /// <summary>Bytes in main memory while it loads: with the voxels as the file stores them, or the asset's packed bytes.</summary>
         public long CpuPeakBytes { get; }
 
-        /// <summary>Bytes on the GPU once it is shown.</summary>
+        /// <summary>
+        /// Bytes on the GPU once it is shown, if all of it can be visible. Where there is nothing at its faces it is less: <see cref="RenderStatistics.StoredVoxels"/>.
+        /// </summary>
         public long GpuBytes { get; }
 
         /// <summary><see cref="GpuBytes"/> for each voxel.</summary>
@@ -98,13 +100,10 @@ namespace AnatomyCarve
             return await opening.ForecastAsync(VolumeLimits.OfDevice(layout, 0), cancellationToken, null);
         }
 
-        /// <summary>One sentence, such as "ct.nii.gz: 512 x 512 x 600 voxels take 1,052.4 MiB on the GPU (7.02 bytes per voxel) and ...".</summary>
-        public override string ToString()
-        {
-            string most = SegmentCount == 0 ? "at most " : "";
-            return FormattableString.Invariant($"{Name}: {SizeI} x {SizeJ} x {SizeK} voxels take {most}{MiB(GpuBytes)} on the GPU ({GpuBytesPerVoxel:0.00} bytes per voxel) ")
-                + $"and {MiB(CpuBytes)} of main memory, {MiB(CpuPeakBytes)} while they load.";
-        }
+        /// <summary>One sentence, such as "ct.nii.gz: 512 x 512 x 600 voxels take at most 1,057.5 MiB on the GPU (7.05 bytes per voxel) and ...".</summary>
+        public override string ToString() =>
+            FormattableString.Invariant($"{Name}: {SizeI} x {SizeJ} x {SizeK} voxels take at most {MiB(GpuBytes)} on the GPU ({GpuBytesPerVoxel:0.00} bytes per voxel) ")
+            + $"and {MiB(CpuBytes)} of main memory, {MiB(CpuPeakBytes)} while they load.";
 
         internal static string MiB(long bytes) => (bytes / (double)(1 << 20)).ToString("N1", CultureInfo.InvariantCulture) + " MiB";
 

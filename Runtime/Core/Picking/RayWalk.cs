@@ -111,6 +111,7 @@ namespace AnatomyCarve.Picking
         {
             double wanted = Math.Log((1 - settings.FirstVisibleAlpha) / (1 - alpha)); // the log of the light that is to pass
             double passing = 0;
+            // The point is half a step and more behind begin but for odd rays.
             var edge = new RisingEdge(0.5 * peak, Math.Max(begin + 0.5 - Math.Max(Math.Ceiling(EdgeReach / settings.StepReference), 1), 0));
             for (double from = edge.Position; from < end; from += 1.0 / RaySettings.PartsOfStep)
             {

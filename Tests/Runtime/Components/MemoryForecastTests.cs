@@ -98,7 +98,7 @@ namespace AnatomyCarve.Tests.Components
         [Test]
         public void Sentence_SaysSizeAndMemory() =>
             Assert.That(MemoryForecast.Of(Make("128 128 64", 3), "ct.nii.gz").ToString(), Does.Match(
-                @"^ct\.nii\.gz: 128 x 128 x 64 voxels take \d+\.\d MiB on the GPU \(7\.\d\d bytes per voxel\) and 4\.0 MiB of main memory, 4\.0 MiB while they load\.$"));
+                @"^ct\.nii\.gz: 128 x 128 x 64 voxels take at most \d+\.\d MiB on the GPU \(7\.\d\d bytes per voxel\) and 4\.0 MiB of main memory, 4\.0 MiB while they load\.$"));
 
         [TestCase(8192, 32768, false, 6144)]
         [TestCase(0, 8192, false, 2048, Description = "graphics memory unknown: main memory is shared")]

@@ -15,12 +15,15 @@ namespace AnatomyCarve.Headless.Cli.Bench.Work
         /// <summary>Scenes of real scans, where they are on this machine.</summary>
         public static readonly string[] Others = ["head-full", "ct-full"];
 
-        public static RayWork Of(MeasureContext context, string name, bool plain = false)
+        /// <param name="quality">null: balanced</param>
+        /// <param name="plain">nothing is skipped, and rays go on to their end</param>
+        public static RayWork Of(MeasureContext context, string name, RenderQuality quality = null, bool plain = false)
         {
             var scene = context.Scenes.Get(name);
             var stage = context.Stage;
             stage.Show(scene);
             stage.Renderer.CountSamples = true;
+            if (quality != null) stage.Renderer.Quality = quality;
             if (plain)
             {
                 stage.Renderer.Quality.SkipEmptySpace = false;
@@ -50,6 +53,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Work
             var works = RayWork.Scenes.Select(name => RayWork.Of(context, name)).ToArray();
             settings["rays"] = new JsonArray(works.Select(work => (JsonNode)work.Rays).ToArray());
             settings["plain"] = new JsonArray(RayWork.Scenes.Select(name => Json.Number(RayWork.Of(context, name, plain: true).Samples)).ToArray());
+            settings["fast"] = new JsonArray(RayWork.Scenes.Select(name => Json.Number(RayWork.Of(context, name, RenderQuality.Fast()).Samples)).ToArray());
             var others = new JsonObject();
             foreach (var name in SceneRun.Present(context, RayWork.Others)) others[name] = Json.Number(RayWork.Of(context, name).Samples);
             settings["others"] = others;
