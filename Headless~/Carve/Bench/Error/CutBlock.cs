@@ -11,7 +11,8 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
     /// <summary>A cut's surface as it is seen, against the sphere.</summary>
     /// <param name="Normals">against the sphere's where the light comes from</param>
     /// <param name="AtSurface">against the sphere's where the ray meets it</param>
-    sealed record CutErrors(AngleErrors Normals, AngleErrors AtSurface, double DepthRmsVoxels, double DepthMeanVoxels, int Missing)
+    /// <param name="LitMeanVoxels">how far behind the sphere the light comes from</param>
+    sealed record CutErrors(AngleErrors Normals, AngleErrors AtSurface, double DepthRmsVoxels, double DepthMeanVoxels, double LitMeanVoxels, int Missing)
     {
         public JsonObject ToJson()
         {
@@ -19,6 +20,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
             json["againstTheSurfaceThatTheRayMeets"] = AtSurface.ToJson();
             json["depthRmsVoxels"] = DepthRmsVoxels;
             json["depthMeanVoxels"] = DepthMeanVoxels;
+            json["litMeanVoxels"] = LitMeanVoxels;
             json["pixelsWithoutHit"] = Missing;
             return json;
         }
@@ -54,7 +56,7 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
             stage.Renderer.Quality = quality;
             stage.Stack.Carving.Replace([new ClipSphere(sphere.Centre, sphere.RadiusMm, SegmentMask.All(2))]);
             AngleErrors normals = new(), atSurface = new();
-            double sum = 0, sumOfSquares = 0;
+            double sum = 0, sumOfSquares = 0, litSum = 0;
             int seenPixels = 0, missing = 0;
             foreach (var view in Views)
             {
@@ -75,12 +77,13 @@ namespace AnatomyCarve.Headless.Cli.Bench.Error
 
                     var error = (seen.DepthsMm[pixel] - depthMm) / geometry.ReferenceLengthMm;
                     sum += error;
+                    litSum += (seen.LitMm[pixel] - depthMm) / geometry.ReferenceLengthMm;
                     sumOfSquares += error * error;
                     seenPixels++;
                 }
             }
 
-            return new CutErrors(normals, atSurface, Math.Sqrt(sumOfSquares / seenPixels), sum / seenPixels, missing);
+            return new CutErrors(normals, atSurface, Math.Sqrt(sumOfSquares / seenPixels), sum / seenPixels, litSum / seenPixels, missing);
         }
 
         /// <summary>Whether a ray comes in through the cut's opening and meets the cut well below the face, at no grazing angle.</summary>
