@@ -278,7 +278,8 @@ RayResult MarchRay(float3 origin, float3 direction, float nearT, float farT, flo
             peak = max(peak, behind);
             float edge;
             float position = FirstVisiblePosition(ray, max(search.x - 1.0, 0.0), searchEnd, search.y, 0.5 * peak, edge, sampled, result.samples);
-            float thickness = log2(1.0 - _March.z) / log2(max(1.0 - peak, ONE_CODE)) * saturate((1.0 - peak) / ONE_CODE); // of matter of this opacity
+            // Of matter of the peak's opacity; never 0 / 0.
+            float thickness = log2(1.0 - _March.z) / log2(clamp(1.0 - peak, ONE_CODE, 1.0 - 1e-6)) * saturate((1.0 - peak) / ONE_CODE);
             float depth = edge < 0.0 ? position : min(position, max(edge, position - EDGE_REACH / _March.x) + thickness / _March.x);
             depth = position < 0.0 ? stepEnd : depth;
             position = position < 0.0 && visible >= 0.0 ? stepEnd : position;

@@ -197,7 +197,10 @@ namespace AnatomyCarve
             kernels.ClearBricks(live.Emptied(isNew || !filled));
         }
 
-        /// <summary>Sees to it that a box is stored. One that is smaller by less than a quarter leaves it as it is, so that not every change of a setting makes textures anew.</summary>
+        /// <summary>
+        /// Sees to it that a box is stored. One that is smaller by less than a quarter leaves the textures as they are, so that not every change of a setting makes them
+        /// anew.
+        /// </summary>
         /// <returns>Whether textures are new, and empty.</returns>
         bool Hold(VoxelBox box)
         {

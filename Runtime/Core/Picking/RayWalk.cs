@@ -139,7 +139,8 @@ namespace AnatomyCarve.Picking
         {
             if (edge.Position < 0)
                 return position;
-            double thickness = Math.Log(1 - settings.FirstVisibleAlpha) / Math.Log(Math.Max(1 - peak, OneCode)) * Math.Min((1 - peak) / OneCode, 1); // reference lengths
+            double passing = Math.Min(Math.Max(1 - peak, OneCode), 1 - 1e-6); // never 0 / 0
+            double thickness = Math.Log(1 - settings.FirstVisibleAlpha) / Math.Log(passing) * Math.Min((1 - peak) / OneCode, 1); // reference lengths
             return Math.Min(position, Math.Max(edge.Position, position - EdgeReach / settings.StepReference) + thickness / settings.StepReference);
         }
 
