@@ -48,6 +48,8 @@ namespace AnatomyCarve.Tests.Kernels
             Assert.That(Number(Read("Raymarch.hlsl"), "FURTHER_STEPS"), Is.EqualTo(Picker("FurtherSteps")));
             Assert.That(Number(Read("Raymarch.hlsl"), "EDGE_REACH"), Is.EqualTo(Picker("EdgeReach")));
             Assert.That(Number(Read("Raymarch.hlsl"), "PLATEAU"), Is.EqualTo(Picker("Plateau")));
+            Assert.That(Read("Raymarch.hlsl"), Does.Contain("ONE_CODE = 1.0 / 255.0;").And.Contain("SHADED_ALPHA = 1.0 - 1.0 / 512.0;"));
+            Assert.That((Picker("OneCode"), RaySettings.DefaultOpaqueAlpha), Is.EqualTo((1 / 255.0, 1 - 1 / 512.0)));
         }
 
         [Test]
